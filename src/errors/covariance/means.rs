@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::line::Advance;
-use super::sources::{AXES, ErrorInput, RandomErrors, Source};
+use super::sources::{AXES, ErrorInput, RandomErrors, Source, WALKS};
 use crate::sensors::Kind;
 
 /// The signals of an INS at rest, sensor axes: angular rate \[rad/s\] and specific force \[m/s²\].
@@ -58,7 +58,7 @@ impl Variances {
         let of = |source: &Source| {
             let step = match source.kind {
                 Kind::Walk => Advance::walk(source.sigma * since_start_s.sqrt(), source.sigma * t.sqrt()),
-                _ => source.advance(t, 0.0, &mut [0.0; AXES]),
+                _ => source.advance(t, 0.0, &mut [0.0; WALKS]),
             };
             let (of_start, of_draw) = (step.of_start.mean, step.of_draw.mean);
             of_start * of_start + of_draw * of_draw + step.rest.of_mean()
@@ -78,7 +78,7 @@ impl Variances {
             Kind::Constant | Kind::MarkovOverGround(_) => 0.0,
             Kind::Walk => source.sigma * source.sigma * apart_s,
             Kind::Markov(time_s) => {
-                let step = source.advance(averaged_s, 0.0, &mut [0.0; AXES]);
+                let step = source.advance(averaged_s, 0.0, &mut [0.0; WALKS]);
                 let (of_start, of_draw) = (step.of_start.mean, step.of_draw.mean);
                 let of_mean = of_start * of_start + of_draw * of_draw + step.rest.of_mean();
                 -2.0 * of_mean * crate::base::math::exp_m1(-apart_s / time_s)

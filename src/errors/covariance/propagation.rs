@@ -8,7 +8,7 @@ use super::figures::NavigationCovariance;
 use super::line::Advance;
 use super::read::covariance_of;
 use super::root::Root;
-use super::sources::{AXES, COUNT, ErrorInput, LINES, RandomErrors, Source};
+use super::sources::{AXES, COUNT, ErrorInput, LINES, RandomErrors, Source, WALKS};
 use super::stretch::{FlownInterval, Stretch};
 use crate::base::error::Error;
 use crate::base::memory::{filled, room};
@@ -30,7 +30,7 @@ pub(crate) struct Propagation {
     vertical: VerticalMode,
     pub(super) root: Root,
     /// Variances of the random walks before the flight, whose alignment continues them.
-    walks_before: [f64; AXES],
+    walks_before: [f64; WALKS],
     /// The stretch since the last update of the root.
     pub(super) stretch: Stretch,
     /// Memory for a look ahead, and for the work.
@@ -61,7 +61,7 @@ impl Propagation {
                 earth,
                 vertical,
                 root: Root::new()?,
-                walks_before: [0.0; AXES],
+                walks_before: [0.0; WALKS],
                 stretch: Stretch::EMPTY,
                 ahead: Root::new()?,
                 work: filled(WORK, Column::zeros())?,
@@ -72,7 +72,7 @@ impl Propagation {
 
     /// Returns to the state before a run.
     pub fn reset(&mut self) {
-        self.root.walks = [0.0; AXES];
+        self.root.walks = [0.0; WALKS];
         self.clear();
     }
 

@@ -1,7 +1,7 @@
 //! The square root of the covariance.
 
 use super::factor::ROWS;
-use super::sources::{AXES, COUNT};
+use super::sources::{COUNT, WALKS};
 use crate::base::error::Error;
 use crate::base::memory::filled;
 use crate::errors::column::Column;
@@ -18,8 +18,8 @@ pub(super) struct Root {
     pub sensitivities: Box<[Column]>,
     /// L, lower triangular.
     pub factor: Box<[Column]>,
-    /// Variance of the random walk of each axis [u²].
-    pub walks: [f64; AXES],
+    /// Variances of the random walks [u²].
+    pub walks: [f64; WALKS],
     /// The vertical loop with the gains of the last stretch.
     pub channel: VerticalLoop,
 }
@@ -29,7 +29,7 @@ impl Root {
         Ok(Self {
             sensitivities: filled(COUNT, Column::zeros())?,
             factor: filled(ROWS, Column::zeros())?,
-            walks: [0.0; AXES],
+            walks: [0.0; WALKS],
             channel: VerticalLoop::new(),
         })
     }

@@ -4,8 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::line::Advance;
 use crate::sensors::{
-    AltimeterParameters, GravityDisturbanceParameters, Kind, OF_SIGNAL, Processes, TriadParameters,
-    element_sigmas,
+    AltimeterParameters, GravityDisturbanceParameters, Kind, OF_SIGNAL, TriadParameters, element_sigmas,
 };
 
 /// The random errors that the host has set.
@@ -43,14 +42,22 @@ pub const ELEMENTS: usize = 18;
 pub const FIELDS: usize = 3;
 
 /// Number of possible processes.
-pub const COUNT: usize = {
+pub const COUNT: usize = of_effects(OF_SIGNAL.len(), false) + ELEMENTS + FIELDS + 1;
+
+/// Number of possible random walks.
+pub const WALKS: usize = of_effects(OF_SIGNAL.len(), true);
+
+/// Number of the processes, or of the walks alone, of the first `effects` effects.
+const fn of_effects(effects: usize, walks_alone: bool) -> usize {
     let (mut of_axis, mut k) = (0, 0);
-    while k < OF_SIGNAL.len() {
-        of_axis += OF_SIGNAL[k].count;
+    while k < effects {
+        if OF_SIGNAL[k].are_walks || !walks_alone {
+            of_axis += OF_SIGNAL[k].count;
+        }
         k += 1;
     }
-    of_axis * AXES + ELEMENTS + FIELDS + 1
-};
+    of_axis * AXES
+}
 
 /// The quantity to which a process adds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,6 +97,8 @@ pub struct Source {
     pub input: ErrorInput,
     pub kind: Kind,
     pub sigma: f64,
+    /// Place of a walk among [`WALKS`].
+    walk: usize,
 }
 
 impl Source {
@@ -97,47 +106,52 @@ impl Source {
     pub fn all(parameters: &RandomErrors<'_>) -> impl Iterator<Item = Self> {
         let RandomErrors { gyro, accel, altimeter, .. } = *parameters;
         let triad = move |axis| if axis < 3 { gyro } else { accel };
-        let of_axis = move |(effect, axis): (&Processes, usize), process| {
-            let (kind, sigma) = (effect.of)(triad(axis), axis % 3, process);
-            Self { input: ErrorInput::Axis(axis), kind, sigma }
+        let of_axis = move |effect: usize, axis: usize, process: usize| {
+            let (kind, sigma) = (OF_SIGNAL[effect].of)(triad(axis), axis % 3, process);
+            let walk = of_effects(effect, true) + process * AXES + axis;
+            Self { input: ErrorInput::Axis(axis), kind, sigma, walk }
         };
-        let of_signal = OF_SIGNAL.iter().flat_map(|effect| (0..AXES).map(move |axis| (effect, axis)));
-        let of_signal =
-            of_signal.flat_map(move |place| (0..place.0.count).map(move |process| of_axis(place, process)));
+        let of_signal = (0..OF_SIGNAL.len()).flat_map(|effect| (0..AXES).map(move |axis| (effect, axis)));
+        let of_signal = of_signal.flat_map(move |(effect, axis)| {
+            (0..OF_SIGNAL[effect].count).map(move |process| of_axis(effect, axis, process))
+        });
         let sigmas = [element_sigmas(gyro), element_sigmas(accel)];
         let elements = (0..ELEMENTS).map(move |element| Self {
             input: ErrorInput::Element(element),
             kind: Kind::Constant,
             sigma: sigmas[element / 9][element % 9],
+            walk: 0,
         });
         let fields = parameters.gravity.fields().into_iter().enumerate().map(|(field, of)| Self {
             input: ErrorInput::Field(field),
             kind: Kind::MarkovOverGround(of.distance_m),
             sigma: of.sigma,
+            walk: 0,
         });
         let altimeter = Self {
             input: ErrorInput::Altimeter,
             kind: Kind::Markov(altimeter.markov_time_s),
             sigma: altimeter.markov_sigma_m,
+            walk: 0,
         };
         of_signal.chain(elements).chain(fields).chain([altimeter])
     }
 
-    /// Its evolution over `t` [s] and `ground_m` [m] over ground. `walks` are the variances [u²] of the walk of each axis: those at the
-    /// start, then those at the end.
-    pub fn advance(&self, t: f64, ground_m: f64, walks: &mut [f64; AXES]) -> Advance {
-        match (self.kind, self.input) {
-            (Kind::Walk, ErrorInput::Axis(axis)) if self.sigma != 0.0 => {
-                let (start, step) = (walks[axis].sqrt(), self.sigma * t.sqrt());
-                walks[axis] += step * step;
+    /// Its evolution over `t` [s] and `ground_m` [m] over ground. `walks` are the variances [u²] of the walks: those at the start,
+    /// then those at the end.
+    pub fn advance(&self, t: f64, ground_m: f64, walks: &mut [f64; WALKS]) -> Advance {
+        match self.kind {
+            Kind::Walk if self.sigma != 0.0 => {
+                let (start, step) = (walks[self.walk].sqrt(), self.sigma * t.sqrt());
+                walks[self.walk] += step * step;
                 Advance::walk(start, step)
             }
-            (Kind::Walk, ErrorInput::Axis(axis)) => {
-                walks[axis] = 0.0;
+            Kind::Walk => {
+                walks[self.walk] = 0.0;
                 Advance::still(0.0)
             }
-            (Kind::Markov(time_s), _) if self.sigma != 0.0 => Advance::markov(t / time_s, self.sigma),
-            (Kind::MarkovOverGround(distance_m), _) if self.sigma != 0.0 && ground_m != 0.0 => {
+            Kind::Markov(time_s) if self.sigma != 0.0 => Advance::markov(t / time_s, self.sigma),
+            Kind::MarkovOverGround(distance_m) if self.sigma != 0.0 && ground_m != 0.0 => {
                 Advance::markov(ground_m / distance_m, self.sigma)
             }
             _ => Advance::still(self.sigma),
@@ -145,9 +159,9 @@ impl Source {
     }
 
     /// Present standard deviation; `walks` are the variances of the walks [u²].
-    pub fn deviation(&self, walks: &[f64; AXES]) -> f64 {
-        match (self.kind, self.input) {
-            (Kind::Walk, ErrorInput::Axis(axis)) => walks[axis].sqrt(),
+    pub fn deviation(&self, walks: &[f64; WALKS]) -> f64 {
+        match self.kind {
+            Kind::Walk => walks[self.walk].sqrt(),
             _ => self.sigma,
         }
     }

@@ -40,8 +40,11 @@ impl Effect for Bias {
 }
 
 impl Added for Bias {
-    const PROCESSES: Processes =
-        Processes { count: 1, of: |triad, axis, _| (Kind::Constant, triad.bias_sigma[axis]) };
+    const PROCESSES: Processes = Processes {
+        count: 1,
+        are_walks: false,
+        of: |triad, axis, _| (Kind::Constant, triad.bias_sigma[axis]),
+    };
 
     #[inline]
     fn apply(&mut self, dt: f64, mut outputs: Outputs<'_>) {

@@ -95,6 +95,7 @@ impl Effect for Flicker {
 impl Added for Flicker {
     const PROCESSES: Processes = Processes {
         count: PROCESSES.len(),
+        are_walks: false,
         of: |triad, axis, process| {
             let (time_s, deviation) = PROCESSES[process];
             (Kind::Markov(time_s), triad.flicker[axis] * deviation)

@@ -129,6 +129,7 @@ impl Effect for GaussMarkov {
 impl Added for GaussMarkov {
     const PROCESSES: Processes = Processes {
         count: 1,
+        are_walks: false,
         of: |triad, axis, _| (Kind::Markov(triad.markov_time_s[axis]), triad.markov_sigma[axis]),
     };
 

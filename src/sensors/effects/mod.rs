@@ -48,7 +48,8 @@ pub(super) use states::{Count, PutLane, States, TakeLane, Visitor};
 pub use flicker::PROCESSES as FLICKER_PROCESSES;
 pub(crate) use gauss_markov::MarkovStep;
 pub(crate) use linear::sigma as element_sigmas;
-pub(crate) use process::{Kind, Processes};
+pub(crate) use process::Kind;
+use process::Processes;
 
 // A row is a file and its effect; a random one has behind it the numbers of its streams, of which each axis has one.
 effects! {

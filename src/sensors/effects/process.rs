@@ -21,13 +21,15 @@ pub(crate) enum Kind {
 pub(crate) struct Processes {
     /// How many.
     pub count: usize,
+    /// Whether they are of [`Kind::Walk`].
+    pub are_walks: bool,
     /// Evolution and standard deviation of a process of an axis; of a walk its density [u/√s].
     pub of: fn(&TriadParameters, axis: usize, process: usize) -> (Kind, f64),
 }
 
 impl Processes {
     /// None.
-    pub const NONE: Self = Self { count: 0, of: |_, _, _| (Kind::Constant, 0.0) };
+    pub const NONE: Self = Self { count: 0, are_walks: false, of: |_, _, _| (Kind::Constant, 0.0) };
 
     /// Puts them into `all`, at the number of the effect's first stream.
     pub(super) const fn put(self, streams: &[u64], all: &mut [Self; STREAM_NUMBERS]) {

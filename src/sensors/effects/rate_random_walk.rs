@@ -69,8 +69,11 @@ impl Effect for RateRandomWalk {
 }
 
 impl Added for RateRandomWalk {
-    const PROCESSES: Processes =
-        Processes { count: 1, of: |triad, axis, _| (Kind::Walk, triad.rate_random_walk[axis]) };
+    const PROCESSES: Processes = Processes {
+        count: 1,
+        are_walks: true,
+        of: |triad, axis, _| (Kind::Walk, triad.rate_random_walk[axis]),
+    };
 
     #[inline(never)]
     fn apply(&mut self, dt: f64, mut outputs: Outputs<'_>) {
