@@ -8,10 +8,10 @@ use sins::truth::judge::Level;
 use sins::units::DEG;
 
 use crate::failure::Failure;
-use crate::given::{Settings, is_log, judge, of_log, read_table};
+use crate::given::{Settings, is_log, judge, of_log, read_table, unread};
 use crate::output::{NO_MARK, Outputs};
 use crate::siblings;
-use crate::terminal::{print, say};
+use crate::terminal::{print, quoted, say};
 use crate::units::{six_digits, time_text};
 use crate::written;
 
@@ -90,15 +90,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     table.complete(&mut mapping);
     table.join(&order.file, &mut mapping)?;
     let scene = Scene { log: mapping, ..Scene::default() };
-    let rows = FlightLog::parse_with(&table.text, &scene.log).map_err(|error| {
-        let failure = of_log(&order.file, error);
-        let may_have_columns = settings.columns.is_none() && table.note.is_none();
-        if !may_have_columns || survey(&table.text).is_none() {
-            return failure;
-        }
-        let file = order.file.display();
-        Failure::new(format!("{failure}\n`sins log {file} --map columns.toml` looks for the columns"))
-    })?;
+    let rows = FlightLog::parse_with(&table.text, &scene.log)
+        .map_err(|error| unread(&order.file, &table, &scene.log, error))?;
     // What flies is judged.
     let smoothed = scene.log.smooths().then(|| rows.smoothed(&scene.options.earth(), &scene.log));
     let (log, failure) = match smoothed {
@@ -112,7 +105,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             findings.iter().for_each(|(_, words)| say(words));
             let inputs: Vec<PathBuf> = [order.file.clone()].into_iter().chain(table.others).collect();
             failure.map_or_else(|| write(order, &inputs, output, &log), Err)?;
-            print(&written::text(&[output], Some(&format!("`sins fly {}`", output.display()))))
+            print(&written::text(&[output], Some(&format!("`sins fly {}`", quoted(output)))))
         }
         None => {
             print_rows(order, &rows)?;
@@ -138,21 +131,20 @@ fn conclude(order: &Order, findings: &[(Level, String)]) -> Result<(), Failure> 
     if worst < Some(Level::Doubtful) {
         print("nothing is doubtful\n")?;
     }
-    let file = order.file.display();
     if let Some(map) = &order.map {
-        let columns = map.display();
+        let (file, columns) = (quoted(&order.file), quoted(map));
         // The name of a table that does not end in .csv would be that of a scene.
         let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
         let next = match worst {
             Some(Level::Unusable) => {
-                format!("mend {columns}, and look again: `sins log {file} --columns {columns}`")
+                format!("mend {}, and look again: `sins log {file} --columns {columns}`", map.display())
             }
             _ => format!("`sins fly {option}{file} --columns {columns}`"),
         };
         print(&written::text(&[map], Some(&next)))?;
     }
     if order.strict && worst >= Some(Level::Doubtful) {
-        return Err(Failure::new(format!("{file}: the log is refused (--strict)")));
+        return Err(Failure::of_file(&order.file, &"the log is refused (--strict)"));
     }
     Ok(())
 }

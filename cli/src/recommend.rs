@@ -14,7 +14,7 @@ use crate::fly::FOR_LOGS;
 use crate::given::{Given, SceneArguments};
 use crate::limits::{LimitArguments, of_option};
 use crate::progress::Progress;
-use crate::terminal::print;
+use crate::terminal::{print, quoted};
 use crate::units::{brief_parts, time_text, two_digits};
 
 /// Finds the cheapest options that meet a required accuracy
@@ -251,7 +251,7 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Fail
 
 /// The command that flies the scene with the options of `rung`.
 fn flight_with(given: &Given, rung: &Rung) -> String {
-    let scene = given.origin.trim_end_matches(" (built in)");
+    let scene = quoted(given.origin.trim_end_matches(" (built in)"));
     let (scheme, subsamples, updates) = (rung.scheme.word(), rung.subsamples, rung.updates_per_sample);
     let settings = [
         format!("scheme={scheme}"),

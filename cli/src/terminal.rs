@@ -1,8 +1,16 @@
 //! Output of the program: results on standard output, everything else on standard error.
 
+use std::ffi::OsStr;
 use std::io::{ErrorKind, Write};
 
 use crate::failure::{Failure, Kind, printable};
+
+/// A word of a command, in quotation marks if it has other letters than those of names.
+pub fn quoted(word: impl AsRef<OsStr>) -> String {
+    let word = word.as_ref().to_string_lossy();
+    let is_plain = |letter: char| letter.is_alphanumeric() || "-_./=:,+%@\\".contains(letter);
+    if !word.is_empty() && word.chars().all(is_plain) { word.into_owned() } else { format!("\"{word}\"") }
+}
 
 /// Writes a result on standard output. A reader that has closed the pipe (`sins keys | head`) is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {

@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::terminal::quoted;
+
 /// The files and, if there is one, the next step: what a command says at its end.
 pub fn text(paths: &[impl AsRef<Path>], next: Option<&str>) -> String {
     let mut text = "\nwritten\n".to_owned();
@@ -19,7 +21,7 @@ pub fn open(page: &Path) -> String {
 
 /// The next step after a flight, whose records come first.
 pub fn report(paths: &[PathBuf]) -> Option<String> {
-    paths.first().map(|records| format!("`sins report {}` draws the flight", records.display()))
+    paths.first().map(|records| format!("`sins report {}` draws the flight", quoted(records)))
 }
 
 /// A size of a file in words.

@@ -111,7 +111,7 @@ pub(super) fn with_judge(
 ///     sins_judge_push(judge, &sample);
 /// }
 /// sins_judge_get_findings(judge, found, SINS_FINDINGS_MAX, &doubts);
-/// printf("%.47s\n", found[0].sentence);  // velocity is 1.95 times the displacement: knots?
+/// printf("%.48s\n", found[0].sentence);  // velocity is 1.95 times the displacement (knots?)
 /// sins_judge_destroy(judge);
 /// ```
 #[unsafe(no_mangle)]

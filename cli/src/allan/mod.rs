@@ -24,7 +24,7 @@ use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::output::{NO_MARK, Outputs};
-use crate::terminal::print;
+use crate::terminal::{print, quoted};
 use crate::written;
 use analysis::Analysis;
 use log::Log;
@@ -59,7 +59,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     )?;
     let next = match &order.scene {
         Some(scene) => {
-            format!("`sins fly {} --imu IMU.csv` makes a record that can be compared", scene.display())
+            format!("`sins fly {} --imu IMU.csv` makes a record that can be compared", quoted(scene))
         }
         None => written::open(&order.output()),
     };

@@ -5,10 +5,11 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use maud::{Markup, html};
 
 use crate::failure::printable;
+use crate::terminal::quoted;
 
 /// The foot of a page that is written now.
 pub fn foot() -> Markup {
-    let words = std::env::args_os().skip(1).map(|word| quoted(&word.to_string_lossy()));
+    let words = std::env::args_os().skip(1).map(quoted);
     let command = words.fold("sins".to_owned(), |all, word| all + " " + &word);
     html! {
         footer {
@@ -36,12 +37,6 @@ fn date(seconds: u64) -> String {
     let (year, month) = if month < 10 { (year, month + 3) } else { (year + 1, month - 9) };
     let (hour, minute) = (seconds / 3600 % 24, seconds / 60 % 60);
     format!("{:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC", year + 400 * era)
-}
-
-/// A word of a command, in quotation marks if it has other letters than those of names.
-fn quoted(word: &str) -> String {
-    let is_plain = |letter: char| letter.is_alphanumeric() || "-_./=:,+%@\\".contains(letter);
-    if !word.is_empty() && word.chars().all(is_plain) { word.to_owned() } else { format!("\"{word}\"") }
 }
 
 /// Operating system, processor and number of threads.

@@ -4,11 +4,12 @@ use std::io::Read;
 use std::path::Path;
 
 use sins::scene::Scene;
-use sins::scene::log::{FlightLog, LogError};
+use sins::scene::log::{FlightLog, LogError, LogMapping, survey};
 
 use super::file::reject_device;
 use super::record::Table;
 use crate::failure::Failure;
+use crate::terminal::quoted;
 
 /// The log at `path`, read and repaired as `scene` says, and the table that it was read from; "-" means standard input. The `[log]` of
 /// the scene is completed for a flight record, and becomes that of the one table of several files.
@@ -16,8 +17,19 @@ pub fn read_log(path: &Path, scene: &mut Scene) -> Result<(FlightLog, Table), Fa
     let mut table = read_table(path)?;
     table.complete(&mut scene.log);
     table.join(path, &mut scene.log)?;
-    let log = scene.read_log(&table.text).map_err(|error| of_log(path, error))?;
+    let log = scene.read_log(&table.text).map_err(|error| unread(path, &table, &scene.log, error))?;
     Ok((log, table))
+}
+
+/// The failure about a table at `path` that is not read. If nothing names its columns and they can be found, it says how.
+pub fn unread(path: &Path, table: &Table, mapping: &LogMapping, error: LogError) -> Failure {
+    let is_about_columns = error.is_about_columns() && mapping.columns == LogMapping::default().columns;
+    let failure = of_log(path, error);
+    if !is_about_columns || table.note.is_some() || path == Path::new("-") || survey(&table.text).is_none() {
+        return failure;
+    }
+    let file = quoted(path);
+    Failure::new(format!("{failure}\n`sins log {file} --map columns.toml` looks for the columns"))
 }
 
 /// The failure about a log at `path`.

@@ -26,7 +26,7 @@ pub use arguments::{Hours, SceneArguments};
 pub use file::{open_table, read_text};
 pub use gaps::{Gaps, unit_of_interval};
 pub use judged::{Trust, judge, judge_of, sentence};
-pub use log::{of_log, read_log, read_table};
+pub use log::{of_log, read_log, read_table, unread};
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;

@@ -293,7 +293,7 @@ impl<'a> Live<'a> {
             match report::draw(&records, page, None) {
                 Ok(()) => self.voice.print(&written::text(&[&path], Some(&written::open(&path)))),
                 Err(failure) => {
-                    let hint = format!("`sins report {}` draws the flight", records[0].display());
+                    let hint = written::report(&records).unwrap_or_default();
                     failures.push(failure.with(&hint));
                 }
             }

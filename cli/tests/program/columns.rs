@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::draws::Draws;
 use crate::judged::{circle, write};
-use crate::support::{done, folder, read, rejected, run};
+use crate::support::{done, folder, project_file, read, rejected, run};
 
 const MAPPING: &str = "[log]\nheader = 2\ntime = \"t\"\ntime_format = \"hms\"\nlatitude = \"Lat\"\nlongitude = \"Lon\"\n\
     height = { col = \"Alt\", unit = \"ft\" }\nroll = \"Roll\"\npitch = \"Pitch\"\nheading = \"Hdg\"\n\
@@ -121,7 +121,7 @@ fn a_log_with_columns_of_its_own_flies_through_every_door() {
             "log.up=VD",
         ],
     );
-    assert!(code == 2 && errors.contains("velocity is 1.94 times the displacement: knots?"), "{errors}");
+    assert!(code == 2 && errors.contains("velocity is 1.94 times the displacement (knots?)"), "{errors}");
     let errors =
         rejected(&folder, &["fly", "foreign.csv", "--columns", "columns.toml", "--set", "log.pitch=Pich"]);
     assert!(errors.contains("foreign.csv:2: log.pitch: no column Pich; "), "{errors}");
@@ -129,4 +129,28 @@ fn a_log_with_columns_of_its_own_flies_through_every_door() {
     std::fs::write(folder.join("bad.toml"), "[log]\nhight = \"Alt\"\n").unwrap();
     let errors = rejected(&folder, &["fly", "foreign.csv", "--columns", "bad.toml"]);
     assert!(errors.contains("bad.toml:2:1: no such key: hight; did you mean height?"), "{errors}");
+}
+
+/// Each door that cannot read a stranger's table names the command that finds its columns, if they can be found.
+#[test]
+fn an_error_about_columns_names_the_command_that_finds_them() {
+    let folder = folder("hint");
+    std::fs::copy(project_file("c_examples/flights/cockpit.csv"), folder.join("my log.csv")).unwrap();
+    let command = "`sins log \"my log.csv\" --map columns.toml`";
+    for order in ["fly", "log", "ensemble"] {
+        let errors = rejected(&folder, &[order, "my log.csv"]);
+        assert!(errors.contains("missing columns") && errors.contains(command), "{order}: {errors}");
+    }
+    let (code, said, _) = run(&folder, &["log", "my log.csv", "--map", "columns.toml"]);
+    assert!(
+        code == 0 && said.ends_with("next: `sins fly \"my log.csv\" --columns columns.toml`\n"),
+        "{said}"
+    );
+    let order = ["fly", "my log.csv", "--columns", "columns.toml", "--name", "my flight"];
+    let (code, said, _) = run(&folder, &order);
+    assert!(code == 0 && said.contains("`sins report \"sins_out/my flight.csv\"`"), "{said}");
+
+    std::fs::write(folder.join("nothing.csv"), "a,b,c\n0,1,2\n1,2,3\n2,3,4\n").unwrap();
+    let errors = rejected(&folder, &["fly", "nothing.csv"]);
+    assert!(errors.contains("missing columns") && !errors.contains("--map"), "{errors}");
 }

@@ -78,8 +78,8 @@ pub fn faulty(folder: &Path) -> [(&'static str, &'static str, bool); 8] {
         row[6] = heading(second) + part * (heading(second + 1) - heading(second));
     });
     [
-        ("float32", "32-bit floats?; this makes", true),
-        ("knots", "1.94 times the displacement: knots?", true),
+        ("float32", "(32-bit floats?); this makes", true),
+        ("knots", "1.94 times the displacement (knots?)", true),
         ("exchanged", "velocity east and north are exchanged", true),
         ("zeros", "the first 5 rows hold a value from before the first fix", true),
         ("spike", "beside the path of its neighbours at 30 s", true),

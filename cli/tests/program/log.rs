@@ -125,7 +125,7 @@ fn what_the_rows_had_is_said_of_their_path() {
     for (log, words) in [
         (
             "knots.csv",
-            "note: velocity is 1.94 times the displacement: knots? (the velocity of the path is flown instead)",
+            "note: velocity is 1.94 times the displacement (knots?) (the velocity of the path is flown instead)",
         ),
         (
             "zeros.csv",

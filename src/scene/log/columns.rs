@@ -89,17 +89,17 @@ pub fn columns(header: &StringRecord, line: u64, mapping: &LogMapping) -> Result
         .into_iter()
         .find(|(mark, _)| header.iter().any(|name| name.contains(*mark)));
     if missing.is_empty() {
-        Ok(columns)
-    } else if let Some((_, marks)) = other {
-        Err(fault(
-            line,
-            1,
-            format!("columns separated by {marks}: expected commas between fields, and decimal points"),
-        ))
-    } else {
-        let header = listed(header.iter());
-        Err(fault(line, 1, format!("missing columns: {}; the header has {header}", missing.join(", "))))
+        return Ok(columns);
     }
+    let sentence = match other {
+        Some((_, marks)) => {
+            format!("columns separated by {marks}: expected commas between fields, and decimal points")
+        }
+        None => {
+            format!("missing columns: {}; the header has {}", missing.join(", "), listed(header.iter()))
+        }
+    };
+    Err(LogError::of_columns(line, sentence))
 }
 
 /// The column that has the name of the quantity itself, in radians or degrees.

@@ -24,7 +24,7 @@ use csv::StringRecord;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
-use crate::scene::{Fault, Scene, excerpt, foreign};
+use crate::scene::{About, Fault, Scene, excerpt, foreign};
 use crate::truth::FlightSample;
 use crate::truth::judge::{At, Finding, Judge};
 use columns::{columns, only_place, unread};
@@ -69,6 +69,19 @@ pub enum LogError {
     Fault(Fault),
     /// There is no memory for the samples.
     Memory(Error),
+}
+
+impl LogError {
+    /// The columns of the table are not those of a log: a fault about the section `log`, which may name them.
+    fn of_columns(line: u64, sentence: String) -> Self {
+        let about = About { path: "log".to_owned(), ..About::default() };
+        Self::Fault(Fault { line: line as usize, column: 1, sentence, about })
+    }
+
+    /// Whether a section `[log]` with names of columns may help.
+    pub fn is_about_columns(&self) -> bool {
+        matches!(self, Self::Fault(fault) if fault.about.path == "log")
+    }
 }
 
 fn fault(line: u64, column: usize, sentence: String) -> LogError {

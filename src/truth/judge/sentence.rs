@@ -31,12 +31,12 @@ impl fmt::Display for Finding {
                 let count = self.count;
                 write!(f, "{count} gaps in the time stamps, the longest of {figure} s, before {at} s")
             }
-            (Kind::TimeUnit, _) => write!(f, "the vehicle moves at {figure} m/s: is the time in ms or us?"),
+            (Kind::TimeUnit, _) => write!(f, "the vehicle moves at {figure} m/s (is the time in ms or us?)"),
             (Kind::StampJitter, _) => {
                 write!(f, "time stamps scatter by {} ms about a steady clock", Digits(1e3 * self.figure))
             }
             (Kind::CoarsePositions, clue) => {
-                let word = if clue == Clue::Float32 { ": 32-bit floats?" } else { "" };
+                let word = if clue == Clue::Float32 { " (32-bit floats?)" } else { "" };
                 write!(f, "positions step by {figure} m{word}")
             }
             (Kind::NoisyPositions, _) => write!(f, "positions have {figure} m of noise"),
@@ -45,7 +45,7 @@ impl fmt::Display for Finding {
                 let percent = Digits(100.0 * self.figure);
                 write!(
                     f,
-                    "{percent} % of the moving rows repeat the position of the row before: a slower receiver, or stale fixes?"
+                    "{percent} % of the moving rows repeat the position of the row before (a slower receiver, or stale fixes?)"
                 )
             }
             (Kind::Spike, _) => {
@@ -84,13 +84,13 @@ impl fmt::Display for Finding {
             }
             (Kind::HeadingOffTrack, _) => write!(
                 f,
-                "heading is off the track by {degrees} deg: a magnetic heading, or flight sideways?"
+                "heading is off the track by {degrees} deg (a magnetic heading, or flight sideways?)"
             ),
             (Kind::AngleThroughWrap, clue) => {
                 let angle = if let Clue::Known(name) = clue { name } else { "an angle" };
                 write!(
                     f,
-                    "{angle} sweeps backwards through a turn at {degrees} deg/s at {at} s: interpolated through its wrap?"
+                    "{angle} sweeps backwards through a turn at {degrees} deg/s at {at} s (interpolated through its wrap?)"
                 )?;
                 if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
             }
@@ -117,7 +117,7 @@ impl fmt::Display for Finding {
             }
             (Kind::HeightUnit, _) => write!(
                 f,
-                "the path climbs {} times as steeply as the nose points: is the height in feet?",
+                "the path climbs {} times as steeply as the nose points (is the height in feet?)",
                 Digits(1.0 / self.figure)
             ),
             (Kind::AttitudeHeld, _) => {
@@ -128,7 +128,7 @@ impl fmt::Display for Finding {
             (Kind::AttitudeLate, _) => {
                 let word = if self.figure < 0.0 { "early" } else { "late" };
                 let delay = Digits(self.figure.abs());
-                write!(f, "roll is {delay} s too {word} for the turns: is the attitude on another clock?")
+                write!(f, "roll is {delay} s too {word} for the turns (is the attitude on another clock?)")
             }
         }?;
         if self.acceleration_m_s2 > 0.0 {
@@ -143,7 +143,7 @@ impl fmt::Display for Finding {
 
 fn known(f: &mut fmt::Formatter<'_>, clue: &Clue) -> fmt::Result {
     match clue {
-        Clue::Known(name) => write!(f, ": {name}?"),
+        Clue::Known(name) => write!(f, " ({name}?)"),
         _ => Ok(()),
     }
 }
@@ -159,7 +159,7 @@ fn velocity_sentence(f: &mut fmt::Formatter<'_>, ratio: f64, clue: &Clue) -> fmt
     };
     if *unit != "m/s" {
         part(f)?;
-        write!(f, "velocity is {} times the displacement: {unit}?", Digits(ratio))?;
+        write!(f, "velocity is {} times the displacement ({unit}?)", Digits(ratio))?;
     }
     if *exchanged {
         part(f)?;
