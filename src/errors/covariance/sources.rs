@@ -42,22 +42,39 @@ pub const ELEMENTS: usize = 18;
 pub const FIELDS: usize = 3;
 
 /// Number of possible processes.
-pub const COUNT: usize = of_effects(OF_SIGNAL.len(), false) + ELEMENTS + FIELDS + 1;
+pub const COUNT: usize = OF_AXES.len() + ELEMENTS + FIELDS + 1;
 
 /// Number of possible random walks.
-pub const WALKS: usize = of_effects(OF_SIGNAL.len(), true);
+pub const WALKS: usize = number(true);
 
-/// Number of the processes, or of the walks alone, of the first `effects` effects.
-const fn of_effects(effects: usize, walks_alone: bool) -> usize {
+/// Number of the processes of effects, or of the walks among them.
+const fn number(of_walks: bool) -> usize {
     let (mut of_axis, mut k) = (0, 0);
-    while k < effects {
-        if OF_SIGNAL[k].are_walks || !walks_alone {
+    while k < OF_SIGNAL.len() {
+        if OF_SIGNAL[k].are_walks || !of_walks {
             of_axis += OF_SIGNAL[k].count;
         }
         k += 1;
     }
     of_axis * AXES
 }
+
+/// The processes of the effects: of each its effect, its axis, its number in the effect, and its place among [`WALKS`] if it is a walk.
+const OF_AXES: [[usize; 4]; number(false)] = {
+    let mut all = [[0; 4]; number(false)];
+    let (mut k, mut walks, mut effect) = (0, 0, 0);
+    while effect < OF_SIGNAL.len() {
+        let processes = &OF_SIGNAL[effect];
+        let mut place = 0;
+        while place < AXES * processes.count {
+            all[k] = [effect, place / processes.count, place % processes.count, walks];
+            walks += processes.are_walks as usize;
+            (k, place) = (k + 1, place + 1);
+        }
+        effect += 1;
+    }
+    all
+};
 
 /// The quantity to which a process adds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,14 +123,9 @@ impl Source {
     pub fn all(parameters: &RandomErrors<'_>) -> impl Iterator<Item = Self> {
         let RandomErrors { gyro, accel, altimeter, .. } = *parameters;
         let triad = move |axis| if axis < 3 { gyro } else { accel };
-        let of_axis = move |effect: usize, axis: usize, process: usize| {
+        let of_signal = OF_AXES.iter().map(move |&[effect, axis, process, walk]| {
             let (kind, sigma) = (OF_SIGNAL[effect].of)(triad(axis), axis % 3, process);
-            let walk = of_effects(effect, true) + process * AXES + axis;
             Self { input: ErrorInput::Axis(axis), kind, sigma, walk }
-        };
-        let of_signal = (0..OF_SIGNAL.len()).flat_map(|effect| (0..AXES).map(move |axis| (effect, axis)));
-        let of_signal = of_signal.flat_map(move |(effect, axis)| {
-            (0..OF_SIGNAL[effect].count).map(move |process| of_axis(effect, axis, process))
         });
         let sigmas = [element_sigmas(gyro), element_sigmas(accel)];
         let elements = (0..ELEMENTS).map(move |element| Self {
