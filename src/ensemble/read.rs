@@ -7,7 +7,7 @@ use crate::ensemble::statistics::Statistics;
 use crate::errors::NavigationErrors;
 use crate::errors::correction::Compensation;
 use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{ErrorSource, ImuInterval, Solution, is_of_truth};
+use crate::simulator::{ErrorSource, ImuFlags, ImuInterval, Solution, is_of_truth};
 
 impl Ensemble {
     /// The truth, which all runs share; `None` before the first sample.
@@ -47,6 +47,12 @@ impl Ensemble {
     pub fn imu(&self, run: u64) -> Result<Option<ImuInterval>, Error> {
         let (part, place) = self.at(self.place_of(run)?);
         Ok(part.runs.imu(place))
+    }
+
+    /// Flags of the signals of the last interval of each run, in the order of their numbers; none is set before the first. A run that
+    /// has diverged keeps those of its last interval.
+    pub fn imu_flags(&self) -> impl Iterator<Item = ImuFlags> {
+        self.parts.iter().flat_map(|part| part.runs.imu_flags())
     }
 
     /// Compensation of the sensors of a run. [`ErrorKind::Diverged`]: the run has diverged.

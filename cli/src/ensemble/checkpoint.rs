@@ -185,7 +185,7 @@ fn checksum(bytes: &[u8]) -> u64 {
 const NO_STATE: State = [f64::NAN; 9];
 
 fn put_results(to: &mut Vec<u8>, results: &Results) {
-    let Results { done, statistics, ends, drawn, diverged, tracks, inside } = results;
+    let Results { done, statistics, ends, drawn, diverged, tracks, inside, beyond_range } = results;
     to.extend(done.iter().map(|done| u8::from(*done)));
     statistics.iter().for_each(|statistics| put_statistics(to, statistics));
     let put_state =
@@ -200,7 +200,7 @@ fn put_results(to: &mut Vec<u8>, results: &Results) {
     }
     put_count(to, tracks.len());
     to.extend(tracks.iter().flat_map(|track| track.to_le_bytes()));
-    to.extend(inside.iter().flat_map(|runs| runs.to_le_bytes()));
+    to.extend(inside.iter().chain(beyond_range).flat_map(|runs| runs.to_le_bytes()));
 }
 
 fn put_statistics(to: &mut Vec<u8>, statistics: &Statistics) {
@@ -264,7 +264,8 @@ impl Reader<'_> {
         let tracks = self.count(plan.instants.len() as u64)?;
         let tracks = (0..tracks).map(|_| self.number().map(f64::from_bits)).collect::<Option<_>>()?;
         let inside = plan.requirements.iter().map(|_| self.number()).collect::<Option<_>>()?;
-        Some(Results { done, statistics, ends, drawn, diverged, tracks, inside })
+        let beyond_range = [self.number()?, self.number()?];
+        Some(Results { done, statistics, ends, drawn, diverged, tracks, inside, beyond_range })
     }
 
     fn take(&mut self, size: usize) -> Option<&[u8]> {

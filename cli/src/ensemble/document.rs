@@ -71,7 +71,23 @@ fn warnings(study: &Study) -> Vec<String> {
     let planned = [("Failures", planned::failures(scene)), ("Updates by fixes", planned::updates(scene))];
     let planned = planned.into_iter().filter(|(_, what)| what != "none");
     let planned = planned.map(|(name, what)| format!("{name}: {what}."));
-    study.given.warnings([]).into_iter().chain(planned).chain(not_valid(study)).collect()
+    study
+        .given
+        .warnings([])
+        .into_iter()
+        .chain(planned)
+        .chain(not_valid(study))
+        .chain(beyond_range(study))
+        .collect()
+}
+
+/// Sensors that were beyond their range, in sentences.
+pub fn beyond_range(study: &Study) -> impl Iterator<Item = String> {
+    let runs = study.plan.runs;
+    let counts = ["Gyros", "Accelerometers"].into_iter().zip(study.results.beyond_range);
+    counts.filter(|(_, count)| *count > 0).map(move |(what, count)| {
+        format!("{what} were beyond their range in {count} of {runs} runs: their range limited what they measured.")
+    })
 }
 
 /// When outputs of the unit are invalid in some of the runs that have not diverged, by the rows of the statistics.

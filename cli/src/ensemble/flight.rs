@@ -4,10 +4,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
+use nalgebra::Vector3;
 use sins::earth::state::Navigation;
 use sins::ensemble::Ensemble;
 use sins::errors::NavigationErrors;
-use sins::{Error, ErrorKind, ErrorSource};
+use sins::scene::Scene;
+use sins::{Error, ErrorKind, ErrorSource, ImuFlags};
 
 use super::checkpoint::Checkpoint;
 use super::plan::{Data, Piece, Plan};
@@ -107,11 +109,13 @@ impl<'a> Work<'a> {
         let mut part = Part::new(plan, piece);
         let mut course = given.course()?;
         let mut instants = plan.instants.iter().copied().peekable();
+        let mut beyond = BeyondRange::of(&given.scene, runs);
         for index in 0..given.count {
             let taken = course.take(&mut ensemble, &given.sample(index)?);
             taken.map_err(|error| given.stopped_at(index, &error))?;
             if index > 0 {
                 ensemble.step().map_err(|error| given.stopped_at(index, &error))?;
+                beyond.take(ensemble.imu_flags());
             }
             if instants.next_if_eq(&index).is_some() {
                 self.read(&ensemble, index, &mut part).map_err(|error| given.stopped_at(index, &error))?;
@@ -128,6 +132,7 @@ impl<'a> Work<'a> {
             part.ends.push(state(&ensemble, run)?);
         }
         part.diverged = ensemble.diverged().collect();
+        part.beyond_range = beyond.runs();
         Ok(part)
     }
 
@@ -160,6 +165,30 @@ impl<'a> Work<'a> {
 
     pub fn must_stop(&self) -> bool {
         self.is_over.load(Ordering::Relaxed) || interrupt::is_asked()
+    }
+}
+
+/// Whether gyros and accelerometers were ever beyond their range, of each run; of no run, if the scene has no ranges.
+pub struct BeyondRange(Vec<[bool; 2]>);
+
+impl BeyondRange {
+    pub fn of(scene: &Scene, runs: u64) -> Self {
+        let has_range =
+            [&scene.errors.gyro, &scene.errors.accel].iter().any(|triad| triad.range != Vector3::zeros());
+        Self(vec![[false; 2]; if has_range { runs as usize } else { 0 }])
+    }
+
+    /// Takes the flags of an interval of each run.
+    pub fn take(&mut self, flags: impl IntoIterator<Item = ImuFlags>) {
+        for ([gyro, accel], flags) in self.0.iter_mut().zip(flags) {
+            *gyro |= flags.gyro_saturated;
+            *accel |= flags.accel_saturated;
+        }
+    }
+
+    /// Number of runs for gyros, and for accelerometers.
+    pub fn runs(&self) -> [u64; 2] {
+        [0, 1].map(|sensor| self.0.iter().filter(|run| run[sensor]).count() as u64)
     }
 }
 

@@ -22,6 +22,8 @@ pub struct Part {
     pub tracks: Vec<f64>,
     /// Number of runs within the limit of each requirement.
     pub inside: Vec<u64>,
+    /// Number of runs in which a gyro was ever beyond its range; likewise an accelerometer.
+    pub beyond_range: [u64; 2],
 }
 
 /// Results of all blocks that were flown so far.
@@ -40,6 +42,8 @@ pub struct Results {
     pub tracks: Vec<f64>,
     /// Number of runs within the limit of each requirement.
     pub inside: Vec<u64>,
+    /// Number of runs in which a gyro was ever beyond its range; likewise an accelerometer.
+    pub beyond_range: [u64; 2],
 }
 
 impl Part {
@@ -53,6 +57,7 @@ impl Part {
             diverged: Vec::new(),
             tracks: Vec::with_capacity(plan.instants.len()),
             inside: vec![0; plan.requirements.len()],
+            beyond_range: [0; 2],
         }
     }
 
@@ -70,7 +75,8 @@ impl Part {
         for (track, other) in self.tracks.iter_mut().zip(next.tracks) {
             *track = if *track == 0.0 { other } else { *track };
         }
-        for (sum, more) in self.inside.iter_mut().zip(next.inside) {
+        let counts = self.inside.iter_mut().chain(&mut self.beyond_range);
+        for (sum, more) in counts.zip(next.inside.into_iter().chain(next.beyond_range)) {
             *sum += more;
         }
         Ok(())
@@ -88,6 +94,7 @@ impl Results {
             diverged: Vec::new(),
             tracks: Vec::new(),
             inside: vec![0; plan.requirements.len()],
+            beyond_range: [0; 2],
         }
     }
 
@@ -115,7 +122,8 @@ impl Results {
             self.drawn = part.drawn;
         }
         self.tracks = part.tracks;
-        for (sum, more) in self.inside.iter_mut().zip(part.inside) {
+        let counts = self.inside.iter_mut().chain(&mut self.beyond_range);
+        for (sum, more) in counts.zip(part.inside.into_iter().chain(part.beyond_range)) {
             *sum += more;
         }
         self.diverged.extend(part.diverged);

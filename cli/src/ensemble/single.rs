@@ -6,7 +6,7 @@ use sins::scene::Play;
 use sins::unit::Validity;
 use sins::{Error, ErrorKind, ErrorSource};
 
-use super::flight::{CHUNK, Work, interrupted, state_of, track};
+use super::flight::{BeyondRange, CHUNK, Work, interrupted, state_of, track};
 use super::plan::{Data, Piece, Plan};
 use super::results::Part;
 use crate::failure::Failure;
@@ -56,7 +56,7 @@ impl Work<'_> {
             return Err(interrupted());
         }
         let mut play = given.play_of_run(run)?;
-        let mut has_diverged = false;
+        let (mut has_diverged, mut beyond) = (false, BeyondRange::of(&given.scene, 1));
         let mut instants = plan.instants.iter().enumerate().peekable();
         for index in 0..given.count {
             if !has_diverged && let Err(stopped) = play.fly_next() {
@@ -64,6 +64,9 @@ impl Work<'_> {
                     true => has_diverged = true,
                     false => return Err(given.stopped_at(index, &stopped.error).with(&format!("run {run}"))),
                 }
+            }
+            if !has_diverged {
+                beyond.take(play.simulator().imu().map(|imu| imu.flags));
             }
             if let Some((row, _)) = instants.next_if(|(_, instant)| **instant == index) {
                 let read = self.read_single(&play, has_diverged, (row, drawn), part);
@@ -80,6 +83,9 @@ impl Work<'_> {
         let end = errors(&play, has_diverged, ErrorSource::Navigation)?;
         part.ends.push(end.as_ref().map(state_of));
         part.diverged.extend(has_diverged.then_some(run));
+        for (sum, more) in part.beyond_range.iter_mut().zip(beyond.runs()) {
+            *sum += more;
+        }
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use crate::support::{done, folder, names, numbers, read, rejected, result, run, sins};
+use crate::support::{done, folder, names, numbers, project_file, read, rejected, result, run, sins};
 
 /// Three minutes with sensors of navigation grade and both error data. With the 150 runs of `order`, these are three blocks of 64
 /// runs, of which the last is not full.
@@ -484,4 +484,42 @@ fn studies_say_what_they_leave_out() {
     );
     let (_, _, errors) = run(&folder, &["budget", scene, "--hours", "0.05"]);
     assert!(errors.starts_with("day: without its unit: ") && errors.contains("too small\n"), "{errors}");
+}
+
+/// Rolls of the fighter are faster than the range of its gyros: all errors of the runs hang on that, and text and page say it, of runs
+/// side by side, one by one, and of runs with a unit.
+#[test]
+fn sensors_beyond_their_range_are_said_of_the_runs() {
+    let folder = folder("range");
+    let log = project_file("c_examples/flights/fighter_aerobatics.csv");
+    let unit = "unit.start=nav";
+    for (runs, range, more, is_beyond) in [
+        ("21", "125", None, true),
+        ("1", "125", None, true),
+        ("3", "125", Some(unit), true),
+        ("21", "300", None, false),
+    ] {
+        let set = format!("gyro.range_deg_s={range}");
+        let order = [
+            "ensemble",
+            log.to_str().unwrap(),
+            "--runs",
+            runs,
+            "--set",
+            &set,
+            "--set",
+            "gyro.bias_sigma_deg_h=1",
+        ];
+        let more = more.map_or(vec![], |unit| vec!["--set", unit]);
+        let (code, said, errors) = run(&folder, &[&order[..], &more, &["--name", "f", "--force"]].concat());
+        assert_eq!(code, 0, "{errors}");
+        let words = format!("Gyros were beyond their range in {runs} of {runs} runs");
+        assert_eq!(said.contains(&words), is_beyond, "{said}");
+        assert_eq!(
+            read(folder.join("sins_out/f_ensemble.html")).contains(&words),
+            is_beyond,
+            "{runs} {range}"
+        );
+        assert!(!said.contains("Accelerometers were"), "{said}");
+    }
 }

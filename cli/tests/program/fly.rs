@@ -31,7 +31,6 @@ fn a_first_flight_and_its_page() {
     assert_eq!(names(&folder), ["sins_out"]);
 }
 
-/// The slope is computed from 300 s on: one sample gives none, which is reported as none and not as 0. Rates need a Schuler period.
 /// Rolls of the fighter are faster than the range of its gyros: the error hangs on that, and it is said.
 #[test]
 fn sensors_beyond_their_range_are_said() {
@@ -52,6 +51,7 @@ fn sensors_beyond_their_range_are_said() {
     }
 }
 
+/// The slope is computed from 300 s on: one sample gives none, which is reported as none and not as 0. Rates need a Schuler period.
 #[test]
 fn a_short_flight_has_no_rates() {
     let folder = folder("short");

@@ -14,7 +14,7 @@ use sins::sensors::{
     Axis, Failure, InitialErrorParameters, PARAMETERS, Sensor, SensorOutput, StreamKey, TriadParameters,
 };
 use sins::truth::FlightSample;
-use sins::{Error, ErrorKind, ErrorSource, Options, Simulator};
+use sins::{Error, ErrorKind, ErrorSource, ImuFlags, Options, Simulator};
 
 use crate::support::any_use::Host;
 use crate::support::draws::Draws;
@@ -91,6 +91,8 @@ impl Pair {
     fn compare(&self, who: &str) {
         let ensemble = &self.ensemble;
         let mut diverged = ensemble.diverged();
+        let all_flags: Vec<ImuFlags> = ensemble.imu_flags().collect();
+        assert_eq!(all_flags.len(), ensemble.runs(), "{who}");
         for (k, single) in self.singles.iter().enumerate() {
             let run = ensemble.first_run() + k as u64;
             let imu = ensemble.imu(run);
@@ -106,6 +108,8 @@ impl Pair {
             let (of_ensemble, of_single) = (ensemble.navigation(run), single.navigation());
             assert_eq!(format!("{of_ensemble:?}"), format!("{of_single:?}"), "{who}, run {run}");
             assert_eq!(format!("{imu:?}"), format!("{:?}", Ok::<_, Error>(single.imu())), "{who}, run {run}");
+            let flags = single.imu().unwrap_or_default().flags;
+            assert_eq!(all_flags[k], flags, "{who}, run {run}");
             for source in [ErrorSource::Navigation, ErrorSource::Model] {
                 let (of_ensemble, of_single) = (ensemble.errors(run, source), single.errors(source));
                 assert_eq!(format!("{of_ensemble:?}"), format!("{of_single:?}"), "{who}, run {run}");

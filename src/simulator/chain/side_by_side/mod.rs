@@ -27,7 +27,9 @@ use crate::simulator::chain::view::Views;
 use crate::simulator::imu::LastInterval;
 use crate::simulator::moment::Moment;
 use crate::simulator::signals::Signals;
-use crate::simulator::{ErrorSource, Imperfections, ImuInterval, Options, Solution, nothing_to_correct};
+use crate::simulator::{
+    ErrorSource, Imperfections, ImuFlags, ImuInterval, Options, Solution, nothing_to_correct,
+};
 use crate::truth::{FlightSample, Intake, Recent, TruthPoint};
 use batch::{Batch, Report};
 use shared::{LastGood, Shared};
@@ -189,6 +191,15 @@ impl SideBySide {
     /// Signals of the last interval of a run.
     pub fn imu(&self, place: usize) -> Option<ImuInterval> {
         self.chain_of(place).and_then(|chain| chain.imu())
+    }
+
+    /// Flags of the signals of the last interval of each run; none is set before the first.
+    pub fn imu_flags(&self) -> impl Iterator<Item = ImuFlags> {
+        let lanes = self.batches.iter().flat_map(|batch| &batch.state.reports).map(|report| report.flags);
+        let singles = self.singles.iter().map(|single| {
+            single.chain.as_ref().and_then(Chain::imu).map_or(ImuFlags::default(), |imu| imu.flags)
+        });
+        lanes.take(self.runs() - self.singles.len()).chain(singles)
     }
 
     /// Reads the chain of a run as it is, or as it will start from the first sample that waits, with the truth of that moment.
