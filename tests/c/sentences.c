@@ -58,7 +58,8 @@ static void failures(void)
     sins_imu imu = {.struct_size = sizeof imu};
     sins_navigation navigation = {.struct_size = sizeof navigation};
     int32_t axis;
-    char text[400];
+    char text[400], rest;
+    int last = 0;
 
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     bad_failure(sim, 3, 0, &failure, "sensor = 3: must be of enum sins_sensor, 0 to 2");
@@ -66,8 +67,11 @@ static void failures(void)
     bad_failure(sim, SINS_SENSOR_GYRO, 3, &failure, "axis = 3: must be from 0 to 2");
     bad_failure(sim, SINS_SENSOR_ACCEL, -1, &failure, "axis = -1: must be from 0 to 2");
     bad_failure(sim, SINS_SENSOR_ALTIMETER, 1, &failure, "axis = 1: must be 0: the altimeter has one output");
-    failure.kind = 7;
-    bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.kind = 7: must be of enum sins_failure_kind, 0 to 6");
+    failure.kind = 1000;
+    CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, &failure) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+    CHECK(sscanf(text, "failure.kind = 1000: must be of enum sins_failure_kind, 0 to %d%c", &last, &rest) == 1);
+    CHECK(last >= SINS_FAILURE_DROP_OUTS);
     failure.kind = SINS_FAILURE_DEAD;
     failure.reserved2 = 1;
     bad_failure(sim, SINS_SENSOR_GYRO, 0, &failure, "failure.reserved2 = 1: must be 0");
