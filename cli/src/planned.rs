@@ -62,7 +62,7 @@ fn words(planned: &PlannedFailure) -> String {
         SensorOutput::Accelerometer(_) => (MICRO_G.si, MICRO_G.si, ["micro-g", "micro-g/sqrt(Hz)"]),
         SensorOutput::Altimeter => (1.0, 1.0, ["m", "m/sqrt(Hz)"]),
     };
-    let mut text = format!("{output} {}", kind.replace('_', " "));
+    let mut text = format!("{output} {}", kind.replace("drop_", "drop-").replace('_', " "));
     for (number, si, unit) in [(size, size_si, units[0]), (density, density_si, units[1])] {
         if number != 0.0 {
             text += &format!(" {} {unit}", six_digits(number / si));

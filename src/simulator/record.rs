@@ -18,11 +18,11 @@ pub struct Record {
     pub navigation: Navigation,
     /// Error data 2: navigation minus truth.
     pub navigation_error: NavigationErrors,
-    /// [`NEAR_POLE`]; [`NOT_COMPUTED`].
+    /// Flags of error data 2: [`NEAR_POLE`], or [`NOT_COMPUTED`].
     pub navigation_flags: u32,
     /// Error data 1: the error differential equations.
     pub model_error: NavigationErrors,
-    /// [`NEAR_POLE`], [`OUTSIDE_VALIDITY`], or'ed; [`NOT_COMPUTED`].
+    /// Flags of error data 1: [`NEAR_POLE`] and [`OUTSIDE_VALIDITY`], or'ed, or [`NOT_COMPUTED`].
     pub model_flags: u32,
     /// Error of the gyros, measured less ideal, mean since the previous record [rad/s].
     pub gyro_error: Vector3<f64>,

@@ -59,7 +59,7 @@ static void failures(void)
     sins_navigation navigation = {.struct_size = sizeof navigation};
     int32_t axis;
     char text[400], rest;
-    int last = 0;
+    int last = 0, kind, is_unknown;
 
     CHECK(sins_create(NULL, &sim) == SINS_OK);
     bad_failure(sim, 3, 0, &failure, "sensor = 3: must be of enum sins_sensor, 0 to 2");
@@ -71,6 +71,16 @@ static void failures(void)
     CHECK(sins_set_failure(sim, SINS_SENSOR_GYRO, 0, &failure) == SINS_ERROR_INVALID_ARGUMENT);
     CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
     CHECK(sscanf(text, "failure.kind = 1000: must be of enum sins_failure_kind, 0 to %d%c", &last, &rest) == 1);
+    /* The limit is that of the kinds: the last one is no unknown kind, and the number behind it is. */
+    for (kind = last; kind <= last + 1; kind++) {
+        failure.kind = kind;
+        is_unknown = 0;
+        if (sins_set_failure(sim, SINS_SENSOR_GYRO, 0, &failure) != SINS_OK) {
+            CHECK(sins_last_error(sim, text, sizeof text, NULL) == SINS_OK);
+            is_unknown = strstr(text, "must be of enum sins_failure_kind") != NULL;
+        }
+        CHECK(is_unknown == (kind > last));
+    }
     CHECK(last >= SINS_FAILURE_DROP_OUTS);
     failure.kind = SINS_FAILURE_DEAD;
     failure.reserved2 = 1;

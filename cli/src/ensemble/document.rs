@@ -77,17 +77,8 @@ fn warnings(study: &Study) -> Vec<String> {
         .into_iter()
         .chain(planned)
         .chain(not_valid(study))
-        .chain(beyond_range(study))
+        .chain(study.beyond_range())
         .collect()
-}
-
-/// Sensors that were beyond their range, in sentences.
-pub fn beyond_range(study: &Study) -> impl Iterator<Item = String> {
-    let runs = study.plan.runs;
-    let counts = ["Gyros", "Accelerometers"].into_iter().zip(study.results.beyond_range);
-    counts.filter(|(_, count)| *count > 0).map(move |(what, count)| {
-        format!("{what} were beyond their range in {count} of {runs} runs: their range limited what they measured.")
-    })
 }
 
 /// When outputs of the unit are invalid in some of the runs that have not diverged, by the rows of the statistics.

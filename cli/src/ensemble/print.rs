@@ -1,6 +1,5 @@
 //! Text for the terminal.
 
-use super::document::beyond_range;
 use super::flight::FlyingTime;
 use super::plan::Data;
 use super::study::{QUANTITIES, Study};
@@ -52,7 +51,7 @@ pub fn text(study: &Study, judged: &[Judged], flown: &FlyingTime, threads: usize
             text += &format!("  1 sigma along the track {along}, across the track {cross}\n");
         }
     }
-    text += &beyond_range(study).map(|sentence| format!("  {sentence}\n")).collect::<String>();
+    text += &study.beyond_range().map(|sentence| format!("  {sentence}\n")).collect::<String>();
     text += &verdict::text(judged);
     if flown.steps > 0 {
         text += &format!(

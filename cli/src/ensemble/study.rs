@@ -52,6 +52,15 @@ impl<'a> Study<'a> {
         if quantity.is_motion && follows { 2 } else { 3 }
     }
 
+    /// In how many runs gyros and accelerometers were beyond their range, in sentences.
+    pub fn beyond_range(&self) -> impl Iterator<Item = String> {
+        let runs = self.plan.runs;
+        let counts = ["Gyros", "Accelerometers"].into_iter().zip(self.results.beyond_range);
+        counts.filter(|(_, count)| *count > 0).map(move |(what, count)| {
+            format!("{what} were beyond their range in {count} of {runs} runs: their range limited what they measured.")
+        })
+    }
+
     /// Number of runs, and the numbers of those that diverged.
     pub fn runs(&self) -> String {
         let Plan { first_run, runs, .. } = self.plan;

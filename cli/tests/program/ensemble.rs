@@ -70,11 +70,11 @@ fn long<'a>(more: &[&'a str]) -> Vec<&'a str> {
 
 /// Sends `signal` after the checkpoint exists, which comes with the first block. Returns the exit code and the messages.
 #[cfg(unix)]
-fn interrupted(folder: &Path, out: &str, signal: &str) -> (i32, String) {
+fn interrupted(folder: &Path, out: &str, signal: &str, more: &[&str]) -> (i32, String) {
     use std::process::Stdio;
     use std::time::{Duration, Instant};
 
-    let order = long(&["--threads", "1", "--out", out]);
+    let order = long(&[&["--threads", "1", "--out", out], more].concat());
     let child = sins(folder, &order).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let checkpoint = folder.join(out).join("simulation2_ensemble.checkpoint");
     let deadline = Instant::now() + Duration::from_secs(120);
@@ -95,11 +95,11 @@ fn an_interrupted_ensemble_goes_on_to_the_same_files() {
     let folder = folder("interrupted");
     let whole = long(&["-q", "--out", "whole"]);
     done(&folder, &whole);
-    let (code, errors) = interrupted(&folder, "asked", "INT");
+    let (code, errors) = interrupted(&folder, "asked", "INT", &[]);
     assert_eq!(code, 130, "{errors}");
     assert!(errors.contains(" of 150 runs are in asked/simulation2_ensemble.checkpoint"), "{errors}");
     assert_eq!(names(&folder.join("asked")), ["simulation2_ensemble.checkpoint"]);
-    assert_eq!(interrupted(&folder, "killed", "KILL").0, -1);
+    assert_eq!(interrupted(&folder, "killed", "KILL", &[]).0, -1);
     for out in ["asked", "killed"] {
         let (code, _, errors) = run(&folder, &long(&["--threads", "2", "--out", out]));
         assert!(code == 0 && errors.contains(" of 150 runs are flown"), "{errors}");
@@ -108,13 +108,19 @@ fn an_interrupted_ensemble_goes_on_to_the_same_files() {
         assert_eq!(verdicts(out), verdicts("whole"));
         assert!(!folder.join(out).join("simulation2_ensemble.checkpoint").exists());
     }
+    // Gravity is beyond the range of the accelerometers in all runs, also in those before the end, and no run meets the requirement.
+    let range = ["--set", "accelerometer.range_g=0.999"];
+    assert_eq!(interrupted(&folder, "range", "KILL", &range).0, -1);
+    let (code, said, errors) = run(&folder, &long(&[&range[..], &["--out", "range"]].concat()));
+    assert!(code == 3 && errors.contains(" of 150 runs are flown"), "{errors}");
+    assert!(said.contains("Accelerometers were beyond their range in 150 of 150 runs"), "{said}");
 }
 
 #[test]
 #[cfg(unix)]
 fn a_checkpoint_that_is_damaged_or_foreign_is_rejected() {
     let folder = folder("foreign");
-    assert_eq!(interrupted(&folder, "out", "INT").0, 130);
+    assert_eq!(interrupted(&folder, "out", "INT", &[]).0, 130);
     let path = folder.join("out/simulation2_ensemble.checkpoint");
     let good = std::fs::read(&path).unwrap();
     let again = long(&["--out", "out"]);

@@ -178,3 +178,22 @@ impl Source {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An effect states of its processes whether they are walks, and each walk of an axis has a variance of its own.
+    #[test]
+    fn each_walk_has_a_place_of_its_own() {
+        let triad = TriadParameters::default();
+        let mut walks: Vec<usize> = Vec::new();
+        for [effect, axis, process, walk] in OF_AXES {
+            let processes = &OF_SIGNAL[effect];
+            let (kind, _) = (processes.of)(&triad, axis % 3, process);
+            assert_eq!(kind == Kind::Walk, processes.are_walks, "effect {effect}");
+            walks.extend(processes.are_walks.then_some(walk));
+        }
+        assert!(walks.into_iter().eq(0..WALKS));
+    }
+}

@@ -51,7 +51,8 @@ pub(crate) use linear::sigma as element_sigmas;
 pub(crate) use process::Kind;
 use process::Processes;
 
-// A row is a file and its effect; a random one has behind it the numbers of its streams, of which each axis has one.
+// Each row is a file and its effect. Behind a random effect stand the numbers of its streams; each axis has its own stream of a number.
+// The numbers are part of the bit-for-bit guarantee: never reuse one.
 effects! {
     // Change the input of the sensors.
     OnInput {

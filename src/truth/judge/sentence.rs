@@ -88,11 +88,11 @@ impl fmt::Display for Finding {
             ),
             (Kind::AngleThroughWrap, clue) => {
                 let angle = if let Clue::Known(name) = clue { name } else { "an angle" };
-                write!(
-                    f,
-                    "{angle} sweeps backwards through a turn at {degrees} deg/s at {at} s (interpolated through its wrap?)"
-                )?;
-                if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
+                write!(f, "{angle} sweeps backwards through a turn at {degrees} deg/s at {at} s")?;
+                if self.count > 1 {
+                    write!(f, ", {} times", self.count)?;
+                }
+                f.write_str(" (interpolated through its wrap?)")
             }
             (Kind::RollSign, Clue::Known("opposite sign")) => write!(
                 f,
