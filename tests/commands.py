@@ -1,6 +1,6 @@
 """Runs the commands of README.md and docs as printed: commands.py BUILT FOLDER
 
-BUILT has the shared library, its interfaces and the program sins. A command that flies for longer is interrupted after 10 s, and must end
+BUILT has the shared library, its interfaces and the program sins. A command that flies for longer is interrupted after 3 s, and must end
 as after Ctrl-C; docs/renew.sh runs those whose figures the pages have to their ends. FOLDER has for each page a folder that stands for the project: its files
 are links, and what the commands make stays in it. Each indented line of a page whose first word is a program or a file of the project is
 run, or is in one of the lists below; so is each `sins ...` within a sentence that sets a key.
@@ -13,6 +13,8 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
+from concurrent.futures import ThreadPoolExecutor
 
 PROJECT = pathlib.Path(__file__).resolve().parents[1]
 PAGES = [PROJECT / "README.md", *sorted((PROJECT / "docs").glob("*.md"))]
@@ -32,7 +34,7 @@ ELSEWHERE = {
     "target/jsbsim/host ": "tests/jsbsim.sh",
     "cargo rustc --release --lib --crate-type cdylib": "BUILT has its library",
     "cargo test --workspace": ".ci/run",
-    "cargo test --features long-tests --test analysis smooth_cep": "a part of it runs in .ci/run",
+    "cargo test -p tests --features long-tests --test analysis smooth_cep": "a part of it runs in .ci/run",
     "cc c_examples/minimal.c -o minimal ": "tests/packages.sh",
     "cc host.c -o host $(pkg-config ": "tests/install.sh",
     "cc host.c -o host -static $(pkg-config ": "tests/install.sh",
@@ -83,7 +85,7 @@ FILES = {
 }
 
 # Time after which a command is interrupted [s], and its exit code then.
-LONGEST_S, INTERRUPTED = 10, 130
+LONGEST_S, INTERRUPTED = 3, 130
 
 # Exit codes of commands that answer: 3 is no, 4 too few runs. The scenes of this file answer for no real INS.
 ENDS = {"ensemble": [0, 3, 4]}
@@ -139,6 +141,10 @@ def folder_of(built, folder):
             (folder / name).symlink_to(content)
 
 
+# Two commands that listen may have the same port.
+listening = threading.Lock()
+
+
 def listen(page, title, line, folder, environment):
     session = subprocess.Popen(["bash", "-c", f"exec {line}"], cwd=folder, env=environment,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -152,7 +158,8 @@ def listen(page, title, line, folder, environment):
 def run(page, title, line, folder, environment):
     """Runs a command. Decoded words are compared with the comment beside them."""
     if line.startswith("sins live "):
-        return listen(page, title, line, folder, environment)
+        with listening:
+            return listen(page, title, line, folder, environment)
     is_ours = line.startswith("sins ")
     command = subprocess.Popen(["bash", "-c", f"exec {line}" if is_ours else line], cwd=folder, env=environment,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
@@ -171,34 +178,41 @@ def run(page, title, line, folder, environment):
     return interrupted
 
 
+def run_page(path, built, folder):
+    """Runs the commands of a page in a folder of its own. Returns how many it ran, how many of them were interrupted, what is lacking on
+    this machine, and the words of ELSEWHERE that it has."""
+    page, own = str(path.relative_to(PROJECT)), folder / path.stem
+    folder_of(built, own)
+    environment = {**os.environ, "PATH": f"{own}/bin:{built}:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1"}
+    count, interrupted, lacking, used = 0, 0, [], set()
+    for title, lines in commands(path.read_text()):
+        used |= {word for word in ELSEWHERE for line in lines if line.startswith(word)}
+        for line in lines:
+            if any(line.startswith(word) for word in ELSEWHERE):
+                continue
+            if line.split()[0] in OPTIONAL and not shutil.which(line.split()[0]):
+                lacking.append(f"{page}, {title}: {line.split()[0]}")
+                break
+            if line.startswith("export "):
+                name_values = subprocess.check_output(["bash", "-c", f"{line}; env -0"], cwd=own, env=environment)
+                environment = dict(pair.split("=", 1) for pair in name_values.decode().split("\0") if pair)
+                continue
+            interrupted += bool(run(page, title, line, own, environment))
+            count += 1
+    return count, interrupted, lacking, used
+
+
 def main():
     built, folder = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     shutil.rmtree(folder, ignore_errors=True)
-    unused, count, interrupted, lacking = set(ELSEWHERE), 0, 0, []
-    for path in PAGES:
-        page = str(path.relative_to(PROJECT))
-        own = folder / path.stem
-        folder_of(built, own)
-        environment = {**os.environ, "PATH": f"{own}/bin:{built}:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1"}
-        for title, lines in commands(path.read_text()):
-            unused -= {word for word in ELSEWHERE for line in lines if line.startswith(word)}
-            for line in lines:
-                if any(line.startswith(word) for word in ELSEWHERE):
-                    continue
-                if line.split()[0] in OPTIONAL and not shutil.which(line.split()[0]):
-                    lacking.append(f"{page}, {title}: {line.split()[0]}")
-                    break
-                if line.startswith("export "):
-                    name_values = subprocess.check_output(["bash", "-c", f"{line}; env -0"], cwd=own, env=environment)
-                    environment = dict(pair.split("=", 1) for pair in name_values.decode().split("\0") if pair)
-                    continue
-                interrupted += bool(run(page, title, line, own, environment))
-                count += 1
-    if unused:
+    with ThreadPoolExecutor(os.cpu_count()) as pages:
+        ran = list(pages.map(lambda path: run_page(path, built, folder), PAGES))
+    counts, interrupted, lacking, used = zip(*ran)
+    if unused := set(ELSEWHERE).difference(*used):
         sys.exit(f"no page has such a line: {sorted(unused)}")
-    for what in lacking:
+    for what in sum(lacking, []):
         print(f"not run: {what} and what follows")
-    print(f"commands of README.md and docs: {count} run as printed, {interrupted} of them for {LONGEST_S} s")
+    print(f"commands of README.md and docs: {sum(counts)} run as printed, {sum(interrupted)} of them for {LONGEST_S} s")
 
 
 if __name__ == "__main__":
