@@ -19,11 +19,12 @@ cd c_examples
 
 mkdir -p "$out"
 
-# build PROGRAM COMPILER FLAGS... SOURCE...
+# build PROGRAM COMPILER FLAGS... SOURCE...: at once in its place, because another script may be running the program.
 build() {
     program=$1
     shift
-    "$@" $warnings -I../include -o "$out/$program" -L"$lib" -lsins -lm -Wl,-rpath,"$lib"
+    "$@" $warnings -I../include -o "$out/$program.$$" -L"$lib" -lsins -lm -Wl,-rpath,"$lib"
+    mv "$out/$program.$$" "$out/$program"
 }
 
 build minimal ${CC:-cc} -std=c99 minimal.c

@@ -3,6 +3,7 @@
 # with it the paper's two simulations and two logs of a flight simulator, all at once; draws one page with all flights, and the errors of
 # simulation 2 as a separate picture. Needs Rust and a C and C++ compiler.
 # FLY_HOURS: duration of the simulations [h], default 48. Output: target/flights.
+# SINS_LIB_DIR: a folder with libsins.so and the program sins, used instead of building them.
 set -eu
 
 cd "$(dirname "$0")/.."
@@ -17,9 +18,11 @@ build() {
     cargo build --profile quick --package sins --package sins-cli "$@"
 }
 
-echo "building the library"
-build --lib
-SINS_LIB_DIR=$target/quick c_examples/build.sh
+if [ -z "${SINS_LIB_DIR:-}" ]; then
+    echo "building the library"
+    build --lib
+fi
+SINS_LIB_DIR=${SINS_LIB_DIR:-$target/quick} c_examples/build.sh
 
 rm -rf "$out"
 mkdir -p "$out"
@@ -30,10 +33,14 @@ head -n 4 "$out/harness.txt"
 echo ...
 tail -n 14 "$out/harness.txt"
 
-printf '\nbuilding the program\n'
-build --quiet
-mkdir -p "$target/release"
-ln -f "$target/quick/sins" "$sins"
+if [ -n "${SINS_LIB_DIR:-}" ]; then
+    sins=$SINS_LIB_DIR/sins
+else
+    printf '\nbuilding the program\n'
+    build --quiet
+    mkdir -p "$target/release"
+    ln -f "$target/quick/sins" "$sins"
+fi
 
 # Starts a flight; print_flights prints what it writes.
 flights=()

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The same bits on other processors and word sizes, and the effects of a host on the library there: Rust's pinned digests, the runs
 # of ensembles compared with single simulators, and the programs of tests/c. ARM is emulated. 32-bit x86 runs on the machine itself
-# if its kernel allows it, because the emulator raises no floating-point exceptions. This machine runs the library as released, also
-# on an emulated processor without AVX, and without optimisation. Tests that could not run are reported at the end.
+# if its kernel allows it, because the emulator raises no floating-point exceptions; this library is not optimised. This machine runs the
+# library as released, also on an emulated processor without AVX. Tests that could not run are reported at the end.
 #
 # WebAssembly runs in Node and in Chromium: the digests, by the interface for JavaScript.
 #
@@ -32,19 +32,20 @@ fly() {
     done
 }
 
-# other PROCESSOR DEBIANS_NAME RUNNER...: tests another processor with Linux.
+# other PROCESSOR DEBIANS_NAME PROFILE RUNNER...: tests another processor with Linux.
 other() {
-    local processor=$1 target=$1-unknown-linux-gnu compiler=$1-linux-gnu-gcc variable
+    local processor=$1 target=$1-unknown-linux-gnu compiler=$1-linux-gnu-gcc profile=$3 variable library
     need "gcc-$processor-linux-gnu" "$compiler"
     need "libc6-dev-$2-cross" "/usr/$processor-linux-gnu/lib/libc.so"
-    shift 2
-    echo "== $processor"
+    library=target/$target/${profile/#dev/debug}/deps/libsins.so
+    shift 3
+    echo "== $processor, with the profile $profile"
     rustup target add "$target"
     variable=CARGO_TARGET_$(echo "$processor" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
-    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test --target "$target" --test state -- \
-        determinism:: ensemble_widths::
-    fly "$compiler" "target/$target/debug/deps/libsins.so" "$@"
-    tests/loading.sh "$compiler -std=c99" "target/$target/debug/deps/libsins.so" "$@"
+    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test -p tests --profile "$profile" --target "$target" \
+        --test state -- determinism:: ensemble_widths::
+    fly "$compiler" "$library" "$@"
+    tests/loading.sh "$compiler -std=c99" "$library" "$@"
 }
 
 i686() {
@@ -52,15 +53,15 @@ i686() {
     local loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
     need libc6-i386-cross "$loader"
     if "$loader" --version >/dev/null 2>&1; then
-        other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library in the current folder
+        other i686 i386 unoptimised "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library in the current folder
     else
         could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
-        other i686 i386 qemu-i386 -L /usr/i686-linux-gnu
+        other i686 i386 unoptimised qemu-i386 -L /usr/i686-linux-gnu
     fi
 }
 
 aarch64() {
-    other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
+    other aarch64 arm64 dev qemu-aarch64 -L /usr/aarch64-linux-gnu
 }
 
 wasm32() {
@@ -73,13 +74,11 @@ wasm32() {
 }
 
 here() {
-    echo "== here, as released, without AVX, and without optimisation"
+    echo "== here, as released, with and without AVX"
     programs=digests
     build_library
     fly gcc "$built/libsins.so"
     fly gcc "$built/libsins.so" qemu-x86_64 -cpu Nehalem
-    cargo build --quiet --profile unoptimised
-    fly gcc target/unoptimised/libsins.so
 }
 
 need g++ c++

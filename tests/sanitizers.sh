@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
 # The programs of tests/c with the library under AddressSanitizer, ThreadSanitizer and valgrind. Each tool must first find a planted
 # mistake. The first two need nightly Rust. Tests that could not run, or take too long to build, are reported at the end.
+#
+#     tests/sanitizers.sh [memory] [address] [thread]     default: all; memory is valgrind
+#
 # SINS_LIB_DIR: a folder with a libsins.so, used for valgrind instead of building one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -57,7 +60,7 @@ library() {
     [ "$status" -eq 0 ] || exit "$status"
 }
 
-address_sanitizer() {
+address() {
     library address cdylib || return 0
     cp "$sanitized/libsins.so" "$folder/libsins.so"
     for name in planted $addressed panic; do
@@ -73,7 +76,7 @@ address_sanitizer() {
 
 # The standard library must be instrumented too, because its locks are not seen otherwise. Programs run without address
 # randomisation: the shadow memory of ThreadSanitizer has a fixed place.
-thread_sanitizer() {
+thread() {
     library thread staticlib -Zbuild-std || return 0
     local runtime
     runtime=$(rustc "+$nightly" --print sysroot)/lib/rustlib/$target/lib/librustc-nightly_rt.tsan.a
@@ -89,7 +92,7 @@ thread_sanitizer() {
     done
 }
 
-memcheck() {
+memory() {
     build_library
     cp "$built/libsins.so" "$folder/libsins.so"
     local valgrind=(valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,indirect)
@@ -102,11 +105,12 @@ memcheck() {
     done
 }
 
-memcheck
-if ! has_nightly; then
-    could_not "AddressSanitizer, ThreadSanitizer" "no nightly Rust to be had"
-else
-    address_sanitizer
-    thread_sanitizer
-fi
+[ $# -gt 0 ] || set -- memory address thread
+for tool; do
+    if [ "$tool" = memory ] || has_nightly; then
+        $tool
+    else
+        could_not "the $tool sanitizer" "no nightly Rust to be had"
+    fi
+done
 report_not_run
