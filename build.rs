@@ -60,6 +60,8 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 fn main() {
+    // Cargo runs this script in the folder of its package: the library, or tests/inside.
+    let root = Path::new(if Path::new("build.rs").exists() { "." } else { "../.." });
     for source in [
         "build.rs",
         "build",
@@ -71,7 +73,7 @@ fn main() {
     .iter()
     .chain(&tables::FILES)
     {
-        println!("cargo:rerun-if-changed={source}");
+        println!("cargo:rerun-if-changed={}", root.join(source).display());
     }
     println!("cargo:rerun-if-env-changed=SINS_WRITE_HEADER");
 
@@ -82,7 +84,6 @@ fn main() {
         println!("cargo:rustc-cfg=sins_bare");
     }
 
-    let root = PathBuf::from(variable("CARGO_MANIFEST_DIR"));
     let out = PathBuf::from(variable("OUT_DIR"));
     let mut generated_sources = table_structs::interface();
     generated_sources.push(("sensor_params".to_owned(), sensor_structs::interface()));
@@ -118,7 +119,6 @@ fn main() {
     for (name, text) in outputs.bindings {
         write(&bindings.join(name), &text);
     }
-    println!("cargo:rustc-env=SINS_BINDINGS={}", bindings.display());
 }
 
 fn variable(name: &str) -> String {

@@ -9,14 +9,14 @@ figures=$PWD/target/figures
 sins=target/program/release/sins
 
 long() {
-    cargo test --release --features long-tests "$@" -- --nocapture
+    cargo test --release --features long-tests -p "$@" -- --nocapture
 }
 
 # accuracy.md
-simulations() { long --test physics simulation1::; }
-poles() { cargo test --test robustness poles:: -- --nocapture; }
-earth() { cargo test --test physics earth:: -- --nocapture; }
-mounting() { cargo test --test effects mounting:: -- --nocapture; }
+simulations() { long tests --test physics simulation1::; }
+poles() { cargo test -p tests --test robustness poles:: -- --nocapture; }
+earth() { cargo test -p tests --test physics earth:: -- --nocapture; }
+mounting() { cargo test -p tests --test effects mounting:: -- --nocapture; }
 flights() {
     c_examples/fly.sh
     cp target/flights/simulation2.svg c_examples/simulation2.svg
@@ -27,8 +27,8 @@ steps() {
 }
 frames() { cargo run --release --manifest-path benches/Cargo.toml --bin frames; }
 stages() { cargo run --release --manifest-path benches/Cargo.toml --bin stages; }
-memory() { cargo test --test interface host_machine:: -- --nocapture; }
-recommend() { cargo test --release --test analysis recommend:: -- --nocapture; }
+memory() { cargo test -p tests --test interface host_machine:: -- --nocapture; }
+recommend() { cargo test -p tests --release --test analysis recommend:: -- --nocapture; }
 curve() {
     "$sins" curve --force --flight all c_examples/flights/fighter_aerobatics.csv --out "$figures/curve.out"
     cp "$figures"/curve.out/{aerobatics,cruise}.svg benches/curves/
@@ -49,7 +49,7 @@ allan() {
         --imu rest_imu.csv --force --out "$figures/allan.out"
     "$sins" allan "$figures/allan.out/rest_imu.csv" --force -o "$figures/allan.out/allan.svg"
 }
-allan_estimator() { long -p sins-allan; }
+allan_estimator() { long sins-allan; }
 
 # ensembles.md
 ensemble() {
@@ -58,8 +58,8 @@ ensemble() {
 }
 scale() { benches/scale.sh; }
 covariance() {
-    cargo test --test analysis covariance:: -- --nocapture
-    long --test analysis covariance_runs::
+    cargo test -p tests --test analysis covariance:: -- --nocapture
+    long tests --test analysis covariance_runs::
 }
 
 # questions.md
@@ -80,8 +80,8 @@ library_sizes() {
     done
     cargo rustc --release --lib --crate-type cdylib
 }
-gaps() { cargo test --test robustness irregular_samples:: -- --nocapture; }
-snapshots() { cargo test --test state snapshots:: -- --nocapture; }
+gaps() { cargo test -p tests --test robustness irregular_samples:: -- --nocapture; }
+snapshots() { cargo test -p tests --test state snapshots:: -- --nocapture; }
 jsbsim() {
     tests/jsbsim.sh
     target/jsbsim/host target/jsbsim/source c_examples/jsbsim/flight.xml "$figures/twin" ins/slews=0 ins/gyro-failure=0
@@ -95,7 +95,7 @@ packages() {
 }
 
 # trust.md
-savage() { cargo test --test physics savage:: -- --nocapture; }
+savage() { cargo test -p tests --test physics savage:: -- --nocapture; }
 peers() {
     cargo rustc --release --lib --crate-type cdylib
     PYTHONPATH=target/release/bindings SINS_LIBRARY=target/release/libsins.so target/peers/bin/python benches/peers.py \

@@ -37,10 +37,10 @@ class Sins(ConanFile):
         self.version = re.search(r'^version = "(.*)"', manifest, re.MULTILINE).group(1)
 
     def export_sources(self):
-        # The program and the unit are members of the workspace: Cargo reads them, but does not build them.
+        # The program, the unit and the tests are members of the workspace: Cargo reads them, but does not build them.
         for part in (
             "Cargo.*", "CMakeLists.txt", "LICENSE-*", "CHANGELOG.md", "build.rs",
-            "build/*", "cli/*", "cmake/*", "fmu/*", "include/*", "src/*", "release/licences.py",
+            "build/*", "cli/*", "cmake/*", "fmu/*", "include/*", "src/*", "tests/*Cargo.toml", "release/licences.py",
         ):
             copy(self, part, self._tree, self.export_sources_folder)
 

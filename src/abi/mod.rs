@@ -103,3 +103,30 @@ pub use version::*;
 // That the sizes which the header states are those of the structs; a library without scenes lacks some of these.
 #[cfg(feature = "scenes")]
 include!(concat!(env!("OUT_DIR"), "/sizes.rs"));
+
+#[cfg(test)]
+mod tests {
+    use std::path::{Path, PathBuf};
+
+    /// Paths of the files below a folder.
+    fn files(folder: &Path) -> Vec<PathBuf> {
+        let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
+    }
+
+    #[test]
+    fn committed_files_are_the_generated_ones() {
+        let folder = Path::new(env!("SINS_GENERATED"));
+        let generated = files(folder);
+        assert!(generated.contains(&folder.join("include/sins_functions.h")), "{generated:?}");
+        for path in generated {
+            let name = path.strip_prefix(folder).unwrap().to_str().unwrap();
+            let project = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+            let committed = std::fs::read_to_string(project.join(name)).unwrap_or_default();
+            assert!(
+                std::fs::read_to_string(&path).unwrap() == committed,
+                "{name} is not what src/abi declares; renew it with: SINS_WRITE_HEADER=1 cargo check --features header"
+            );
+        }
+    }
+}

@@ -1,33 +1,10 @@
-//! The committed table of functions equals what the sources generate; with the feature `header` the build compares the headers. The
-//! shared library exports exactly what they declare.
+//! The shared library exports exactly what the headers declare.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::support::c_programs::shared_library;
 use crate::support::{headers, project_file, without_comments};
-
-/// Paths of the files below a folder.
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    entries.flat_map(|path| if path.is_dir() { files(&path) } else { vec![path] }).collect()
-}
-
-#[test]
-fn committed_files_are_the_generated_ones() {
-    let folder = Path::new(env!("SINS_GENERATED"));
-    let generated = files(folder);
-    assert!(generated.contains(&folder.join("include/sins_functions.h")), "{generated:?}");
-    for path in generated {
-        let name = path.strip_prefix(folder).unwrap().to_str().unwrap();
-        let committed = std::fs::read_to_string(project_file(name)).unwrap_or_default();
-        assert!(
-            std::fs::read_to_string(&path).unwrap() == committed,
-            "{name} is not what src/abi declares; renew it with: SINS_WRITE_HEADER=1 cargo check --features header"
-        );
-    }
-}
 
 /// Names that follow `SINS_CALL` in the header.
 fn declared() -> BTreeSet<String> {

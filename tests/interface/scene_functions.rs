@@ -2,15 +2,14 @@
 
 use std::ffi::{CStr, CString, c_char};
 use std::fs;
-use std::path::Path;
 use std::ptr::{null, null_mut, with_exposed_provenance_mut};
 
 use sins::abi::*;
 
-use crate::support::init;
+use crate::support::{init, project_file};
 
 fn file(name: &str) -> Vec<u8> {
-    fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples").join(name)).unwrap()
+    fs::read(project_file("c_examples").join(name)).unwrap()
 }
 
 pub fn parsed(text: &[u8]) -> (sins_status, *mut sins_scene) {

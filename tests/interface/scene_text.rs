@@ -2,15 +2,15 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
 use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, MAX_FAULTS, MAX_TEXT, Scene, keys};
 
 use crate::support::draws::Draws;
+use crate::support::project_file;
 
 /// The text of an example scene.
 fn example(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("c_examples/scenes");
+    let folder = project_file("c_examples/scenes");
     fs::read_to_string(folder.join(name).with_extension("toml")).unwrap()
 }
 

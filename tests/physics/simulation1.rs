@@ -1,6 +1,7 @@
 //! The paper's simulation 1: no sensor errors. The paper reached 0.05 m/s in 48 h.
 //!
-//! 4 h here; 48 h with `cargo test --release --features long-tests --test physics simulation1:: -- --nocapture`, which shows the figures.
+//! 4 h here; 48 h with `cargo test -p tests --release --features long-tests --test physics simulation1:: -- --nocapture`,
+//! which shows the figures.
 
 use sins::math::Euler;
 use sins::mechanization::{Frame, Scheme, VerticalMode};

@@ -1,6 +1,6 @@
 //! Properties that hold for any host that keeps the rules: random hosts, with a check after each of their calls.
 //!
-//! 300 hosts of 120 calls here; 5000 with `cargo test --release --features long-tests --test robustness any_use:: -- --nocapture`.
+//! 300 hosts of 120 calls here; 5000 with `cargo test -p tests --release --features long-tests --test robustness any_use:: -- --nocapture`.
 
 use nalgebra::Vector3;
 use sins::earth::Geodetic;

@@ -1,7 +1,7 @@
 //! At rest for hours and weeks: closure, norm of the quaternion, time base.
 //!
 //! 6 h at 100 Hz and 30 days at 1 Hz here; 48 h at 100 Hz and 30 days at 10 Hz with
-//! `cargo test --release --features long-tests --test robustness rest:: -- --nocapture`.
+//! `cargo test -p tests --release --features long-tests --test robustness rest:: -- --nocapture`.
 
 use sins::math::Euler;
 use sins::mechanization::Frame;

@@ -116,7 +116,7 @@ fn digests_are_the_pinned_ones() {
 const PINNED_REPLAY: &str = "92fee1521e36ac23";
 
 /// A snapshot was saved in mid-flight on another machine, with samples in the queue. This machine saves the same bytes, and the
-/// rest of the run has the same digest with and without a load. `SINS_WRITE_SNAPSHOT=1 cargo test --test state determinism::`
+/// rest of the run has the same digest with and without a load. `SINS_WRITE_SNAPSHOT=1 cargo test -p tests --test state determinism::`
 /// renews the file.
 #[test]
 fn a_snapshot_of_another_machine_replays_to_the_pinned_digest() {

@@ -63,7 +63,7 @@ pub fn text(chars: &[std::ffi::c_char]) -> String {
 
 /// A file of the project.
 pub fn project_file(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(path)
 }
 
 /// A source in C, C++ or Rust without its comments, which name functions that it does not call.

@@ -176,7 +176,7 @@ mod tests {
 
     #[test]
     fn every_field_of_the_structs_has_a_key() {
-        let include = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("include");
+        let include = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../include");
         let headers =
             ["sins.h", "sins_flight.h"].map(|name| std::fs::read_to_string(include.join(name)).unwrap());
         let header = headers.concat();

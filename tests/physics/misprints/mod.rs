@@ -1,7 +1,7 @@
 //! The equations as the paper prints them, beside the corrected ones, on an hour of two flights: what each misprint does. The tables of
 //! `docs/paper.md` have these figures.
 //!
-//! `cargo test --test physics misprints:: -- --nocapture` prints them.
+//! `cargo test -p tests --test physics misprints:: -- --nocapture` prints them.
 
 mod error_equations;
 mod navigation;

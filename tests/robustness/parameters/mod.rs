@@ -1,7 +1,8 @@
 //! Parameters at and beyond the ends of their ranges: zero, subnormal, huge, not a number; correlation times from 1e-6 of a
 //! step to 1e12 s.
 //!
-//! 400 random simulators here; 20 000 with `cargo test --release --features long-tests --test robustness parameters:: -- --nocapture`.
+//! 400 random simulators here; 20 000 with
+//! `cargo test -p tests --release --features long-tests --test robustness parameters:: -- --nocapture`.
 
 mod fields;
 

@@ -1,7 +1,7 @@
 //! Run k of an ensemble equals the single simulator of run k to the bit, with any calls of a host that keeps the rules.
 //!
 //! 300 hosts make 120 calls each by default; 5000 hosts with
-//! `cargo test --release --features long-tests --test state ensemble:: -- --nocapture`.
+//! `cargo test -p tests --release --features long-tests --test state ensemble:: -- --nocapture`.
 
 mod limits;
 mod saved;
