@@ -13,6 +13,9 @@ const STEP_S: f64 = 1.0;
 /// of 2 (W t)² a step: one percent in one step of 1000 s.
 const LONGEST_STEP_S: f64 = 2.5;
 
+/// Longest interval of the answer [s]: the longest of an INS, and what waited for a step. It takes at most 401 steps.
+const LONGEST_S: f64 = STEP_S + INTERVALS_S.1;
+
 /// Limit that no sum over a run reaches [m, m/s, m²].
 pub(crate) const SUMS_M: f64 = 1e60;
 
@@ -29,7 +32,7 @@ pub(crate) struct Answer {
     pending_s: f64,
 }
 
-stored!(Answer { r_e: SUMS_M, v_e: SUMS_M, pending_e: SUMS_M, pending_s: STEP_S + INTERVALS_S.1 } then |answer, from| {
+stored!(Answer { r_e: SUMS_M, v_e: SUMS_M, pending_e: SUMS_M, pending_s: LONGEST_S } then |answer, from| {
     from.require(answer.pending_s >= 0.0, answer.pending_s, "must not be negative")
 });
 
@@ -40,7 +43,7 @@ impl Answer {
     }
 
     /// Adds an interval of `t` [s] that ends at `r_e` [m], with gravity `gravity_e` [m/s²] there, and has the inconsistency
-    /// `inconsistency_e` [m].
+    /// `inconsistency_e` [m]. A longer interval than [`LONGEST_S`] changes nothing, because no INS flies it.
     pub fn advance(
         &mut self,
         earth: &Earth,
@@ -49,6 +52,9 @@ impl Answer {
         inconsistency_e: &Vector3<f64>,
         t: f64,
     ) {
+        if t > LONGEST_S {
+            return;
+        }
         self.pending_e += inconsistency_e;
         self.pending_s += t;
         if self.pending_s >= STEP_S {
@@ -98,6 +104,8 @@ impl Answer {
         inconsistency_e: &Vector3<f64>,
         t: f64,
     ) -> Self {
+        #[cfg(test)]
+        STEPS.set(STEPS.get() + 1);
         let inverse_r2 = 1.0 / r_e.norm_squared();
         let schuler2 = -gravity_e.dot(r_e) * inverse_r2;
         let w2 = 2.0 * earth.rate_rad_s;
@@ -108,6 +116,12 @@ impl Answer {
         *r -= r_e * (r.dot(r_e) * inverse_r2);
         self
     }
+}
+
+#[cfg(test)]
+thread_local! {
+    /// Steps of all answers of this thread.
+    pub(super) static STEPS: core::cell::Cell<u64> = const { core::cell::Cell::new(0) };
 }
 
 #[cfg(test)]

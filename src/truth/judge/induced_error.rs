@@ -43,3 +43,33 @@ impl InducedError {
         self.largest_m = self.largest_m.max(position_e.norm_squared().sqrt());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::earth::Earth;
+    use crate::math::Euler;
+    use crate::truth::FlightSample;
+    use crate::truth::answer::STEPS;
+    use crate::truth::judge::Judge;
+
+    /// Rows 100 s apart whose clock jumps by every size that a stamp allows: an INS takes at most 401 steps for a row, and one more for its
+    /// errors now, and a jump that no INS flies is no error of an INS.
+    #[test]
+    fn a_jump_of_the_clock_takes_a_bounded_number_of_steps() {
+        let earth = Earth::default();
+        for jump_s in [0.0, 999.0, 1001.0, 1e5, 1.7e9, 0.99 * FlightSample::LATEST_S] {
+            let mut judge = Judge::new(earth, 2000.0).unwrap();
+            let before = STEPS.get();
+            for k in 0..20 {
+                let time_s = 100.0 * f64::from(k) + if k < 10 { 0.0 } else { jump_s };
+                let mut sample = FlightSample::at_rest(time_s, Default::default(), Euler::default());
+                sample.v_n.iter_mut().for_each(|v| v.x = 1e-3);
+                judge.push(&sample).unwrap();
+            }
+            let steps = STEPS.get() - before;
+            assert!((20..=20 * 402).contains(&steps), "{jump_s} s: {steps} steps");
+            // 1 mm/s for 2000 s, and for the longest interval.
+            assert!(judge.effect.largest_m < 4.0, "{jump_s} s: {} m", judge.effect.largest_m);
+        }
+    }
+}
