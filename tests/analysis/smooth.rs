@@ -1,6 +1,8 @@
 //! Paths of damaged logs: near the undamaged flight, and without a doubt of the judge.
 
-use sins::earth::Earth;
+use sins::ErrorKind;
+use sins::earth::{Earth, Geodetic};
+use sins::math::Euler;
 use sins::truth::FlightSample;
 use sins::truth::judge::{Judge, Kind, Level};
 use sins::truth::smooth::{SmoothOptions, Smoothed};
@@ -222,4 +224,22 @@ fn a_gap_of_an_hour_is_not_bridged() {
     );
     rows[later..].iter_mut().for_each(|row| row.time_s -= 3400.0);
     smoothed(&rows);
+}
+
+/// Bursts of rows, with gaps between them that are bridged: the path would have millions of steps for each row.
+#[test]
+fn bursts_of_rows_take_no_memory() {
+    let coordinated = SmoothOptions { coordinated_attack_rad: Some(0.0), ..SmoothOptions::default() };
+    for (burst_s, gap_s, options) in
+        [(1e-6, 299.0, SmoothOptions::default()), (1e-6, 299.0, coordinated), (1e6, 1e6, coordinated)]
+    {
+        let row = |k: u32| {
+            let time_s = f64::from(k / 20) * gap_s + f64::from(k) * burst_s;
+            let place = Geodetic { latitude_rad: 1e-6 * f64::from(k), ..Geodetic::default() };
+            FlightSample::at_rest(time_s, place, Euler::default())
+        };
+        let rows: Vec<FlightSample> = (0..400).map(row).collect();
+        let error = Smoothed::new(&Earth::default(), &rows, &options).unwrap_err();
+        assert_eq!((error.kind, error.field), (ErrorKind::InvalidArgument, "usual_interval_s"), "{error}");
+    }
 }

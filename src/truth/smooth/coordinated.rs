@@ -8,7 +8,7 @@ use core::f64::consts::PI;
 use nalgebra::Vector3;
 
 use super::fit::{Curve, Samples};
-use super::{numbers_of, place_of};
+use super::{check_steps, numbers_of, place_of};
 use crate::base::error::{Error, ErrorKind, Rule, check_range};
 use crate::base::math::{Euler, asin, atan2, sin_cos};
 use crate::base::memory::room;
@@ -68,9 +68,15 @@ impl Path<'_> {
     }
 }
 
-/// The attitude along a path, with an angle of attack [rad].
-pub(super) fn attitudes(path: &Path<'_>, span_s: [f64; 2], attack_rad: f64) -> Result<Curve<4>, Error> {
+/// The attitude along a path of `rows` rows, with an angle of attack [rad].
+pub(super) fn attitudes(
+    path: &Path<'_>,
+    span_s: [f64; 2],
+    rows: usize,
+    attack_rad: f64,
+) -> Result<Curve<4>, Error> {
     check_range("coordinated_attack_rad", attack_rad, -0.5, 0.5)?;
+    check_steps(span_s[1] - span_s[0], EVERY_S, rows)?;
     let count = ((span_s[1] - span_s[0]) / EVERY_S).ceil().max(20.0) as usize;
     let time_s = |k: usize| span_s[0] + (span_s[1] - span_s[0]) * k as f64 / count as f64;
     let (mut times_s, mut eulers) = (room(count + 1)?, room::<Euler>(count + 1)?);

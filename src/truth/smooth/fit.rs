@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use super::check_steps;
 use super::spectrum::spectrum;
 use super::spline::{Knots, Normal, Spline};
 use crate::base::error::Error;
@@ -73,6 +74,7 @@ impl<const N: usize> Curve<N> {
         let (start_s, end_s) = (times_s[0], times_s[times_s.len() - 1]);
         let span_s = end_s - start_s;
         let period_s = median(times_s.windows(2).map(|two| two[1] - two[0]))?;
+        check_steps(span_s, period_s, times_s.len())?;
         let mut weights: Vec<f64> = room(times_s.len())?;
         weights.resize(times_s.len(), 1.0);
         let without = without_spikes(times_s, values, &mut weights)?;

@@ -28,6 +28,24 @@ use rows::Rows;
 /// Acceleration that the steps of the heights may leave [m/s²].
 const STEP_NOISE_M_S2: f64 = 1.0;
 
+/// Largest number of steps of a path: this one, and more for each row.
+const MOST_STEPS: usize = 5_000_000;
+const STEPS_OF_ROW: usize = 10;
+
+/// Rejects a path over `span_s` [s] in steps of `step_s` [s] that has many more steps than rows. Rows in bursts, with gaps between
+/// them, would take any memory.
+fn check_steps(span_s: f64, step_s: f64, rows: usize) -> Result<(), Error> {
+    let most = MOST_STEPS.saturating_add(STEPS_OF_ROW.saturating_mul(rows)) as f64;
+    if span_s / step_s <= most {
+        return Ok(());
+    }
+    let rule = Rule::AtLeast(
+        "is too short for the span of the rows; at least a share of it,",
+        (span_s / most).into(),
+    );
+    Err(Error::invalid("usual_interval_s", step_s, rule))
+}
+
 /// How rows become a path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SmoothOptions {
@@ -111,7 +129,7 @@ impl Smoothed {
         let span_s = [times_s[0], times_s[times_s.len() - 1]];
         let path = coordinated::Path { earth, normals: &normals, heights: &heights };
         let attitudes = match options.coordinated_attack_rad {
-            Some(attack_rad) => coordinated::attitudes(&path, span_s, attack_rad)?,
+            Some(attack_rad) => coordinated::attitudes(&path, span_s, samples.len(), attack_rad)?,
             None => {
                 // A quaternion has half of the angle in four numbers.
                 let sigma = options.attitude_sigma_rad.map(|sigma| sigma * (0.75_f64 / 4.0).sqrt());
