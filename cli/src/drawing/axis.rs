@@ -2,6 +2,9 @@
 
 use crate::units;
 
+/// Range below which the decade of a step underflows to 0.
+const LEAST_RANGE: f64 = 1e-300;
+
 /// A range in the plotted unit with its ticks.
 #[derive(Debug, Clone)]
 pub struct Axis {
@@ -41,7 +44,8 @@ impl Axis {
         // A range that is only rounding is widened: ticks that are closer than neighbouring numbers have no end.
         let size = low.abs().max(high.abs());
         let margin = f64::max(1.0, 1e-6 * size);
-        let (low, high) = if high - low > 1e-9 * size { (low, high) } else { (low - margin, high + margin) };
+        let is_rounding = high - low <= (1e-9 * size).max(LEAST_RANGE);
+        let (low, high) = if is_rounding { (low - margin, high + margin) } else { (low, high) };
         let rough = (high - low) / most.max(1) as f64;
         let decade = 10f64.powf(rough.log10().floor());
         let step = [1.0, 2.0, 2.5, 5.0]
@@ -167,6 +171,20 @@ mod tests {
         for size in [1e30, -1e30, 1e-59] {
             let axis = Axis::around(size, size * (1.0 + 1e-15), 0.0, 5);
             assert!(axis.ticks.len() < 12 && axis.low < axis.high, "{size}: {}", axis.ticks.len());
+        }
+    }
+
+    /// Ranges of every size that a number has, of both signs and about 0: the number of ticks does not depend on the data.
+    #[test]
+    fn no_range_has_more_ticks_than_asked_for() {
+        let sizes = (-324..=308).map(|decade| 10f64.powi(decade)).chain([5e-324, 1.5e-323, f64::MAX]);
+        for size in sizes {
+            for (low, high) in [(0.0, size), (-size, 0.0), (-size, size), (size, 1.1 * size), (size, size)] {
+                for most in [1, 4, 8] {
+                    let axis = Axis::linear(low, high, most);
+                    assert!(axis.ticks.len() <= most + 1, "{low} {high}: {} of {most}", axis.ticks.len());
+                }
+            }
         }
     }
 
