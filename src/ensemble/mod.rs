@@ -7,8 +7,8 @@ mod read;
 mod snapshot;
 pub mod statistics;
 
-use crate::base::error::{Error, Rule, check_integer};
-use crate::base::memory::room;
+use crate::base::error::{Error, ErrorKind, Rule, check_integer};
+use crate::base::memory::{probe, room};
 use crate::errors::NavigationErrors;
 use crate::errors::correction::Correction;
 use crate::sensors::{Failure, SensorOutput, StreamKey};
@@ -57,10 +57,19 @@ impl Ensemble {
             return Err(Error::invalid("first_run", first_run, Rule::BetweenIntegers(0, last_first)));
         }
         let options = *template.options();
-        let mut parts = room(runs.div_ceil(PART_RUNS))?;
-        for first in (0..runs).step_by(PART_RUNS) {
+        let part = |first: usize| {
             let count = PART_RUNS.min(runs - first);
-            parts.push(Part::new(template, &options, first_run + first as u64, count, width)?);
+            Part::new(template, &options, first_run + first as u64, count, width)
+        };
+        let of_runs = |bytes: Option<usize>| move |error: Error| of_runs(error, runs, bytes);
+        let first = part(0).map_err(of_runs(None))?;
+        let bytes = first.runs.bytes_of_run().saturating_mul(runs);
+        let lacks = of_runs(Some(bytes));
+        // All of it at once before any of it: memory that is given away part by part fills the machine before it is missing.
+        let mut parts = probe(bytes).and_then(|()| room(runs.div_ceil(PART_RUNS))).map_err(lacks)?;
+        parts.push(first);
+        for first in (PART_RUNS..runs).step_by(PART_RUNS) {
+            parts.push(part(first).map_err(lacks)?);
         }
         Ok(Self { first_run, options, parts })
     }
@@ -170,5 +179,17 @@ impl Ensemble {
     /// Number of intervals flown since the start or the last reposition.
     pub fn intervals(&self) -> u64 {
         self.parts[0].intervals
+    }
+}
+
+/// `error` about these runs, which take `bytes` bytes, if it is a lack of memory; `None`: they take more than it lacks.
+fn of_runs(error: Error, runs: usize, bytes: Option<usize>) -> Error {
+    let least = bytes.map(Into::into).or(error.value);
+    match (error.kind, least) {
+        (ErrorKind::OutOfMemory, Some(least)) => {
+            let rule = Rule::SentenceWith("not enough memory; bytes that they take at least:", least);
+            Error::of(ErrorKind::OutOfMemory, "runs", runs, rule)
+        }
+        _ => error,
     }
 }

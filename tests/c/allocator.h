@@ -17,6 +17,8 @@ void __libc_free(void *memory);
 static long allocator_living;
 /* Bytes of these blocks. */
 static long allocator_bytes;
+/* The most that they were at a time, and the largest of them. */
+static long allocator_peak, allocator_largest;
 /* Calls of this thread, including free(). */
 static __thread long allocator_calls;
 /* Number of allocations of this thread that still succeed; negative: all. */
@@ -48,10 +50,18 @@ static inline long allocator_size(void *memory)
 #endif
 }
 
+/* Notes a block of `size` bytes, with which all blocks have `bytes`. One thread at a time looks at the figures. */
+static inline void allocator_note(long size, long bytes)
+{
+    allocator_peak = bytes > allocator_peak ? bytes : allocator_peak;
+    allocator_largest = size > allocator_largest ? size : allocator_largest;
+}
+
 static inline void *allocator_counted(void *memory)
 {
+    long size = allocator_size(memory);
     __atomic_add_fetch(&allocator_living, memory != NULL, __ATOMIC_RELAXED);
-    __atomic_add_fetch(&allocator_bytes, allocator_size(memory), __ATOMIC_RELAXED);
+    allocator_note(size, __atomic_add_fetch(&allocator_bytes, size, __ATOMIC_RELAXED));
     return memory;
 }
 
@@ -75,6 +85,7 @@ void *realloc(void *memory, size_t size)
         void *grown = __libc_realloc(memory, size);
         long after = allocator_size(grown);
         __atomic_add_fetch(&allocator_bytes, grown == NULL ? 0 : after - before, __ATOMIC_RELAXED);
+        allocator_note(after, allocator_bytes + before); /* Both blocks, while the contents move. */
         return grown;
     }
     return allocator_counted(__libc_malloc(size));

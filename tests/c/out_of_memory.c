@@ -170,6 +170,51 @@ static void starve_parser(void)
     printf("out_of_memory: %d allocations of a scene's parser fail alone, %d are reported\n", before, reported);
 }
 
+/* What a parser needs of any text is less than what it asked for before: else a lack of memory ends the process. The texts are the worst
+   of 40 s of random ones: faults of one to six bytes, and tables of one key. */
+static void measure_parser(void)
+{
+    static const char *const heads[] = {"", "", "", "", "a=[", "a=[", "a=[", "a=[", "a={"};
+    static const char *const parts[] = {"=\n", "a=1\n", "[[update]]\n", "a.a=1\n", "{a=1},", "_}}}", "=.", "{ . }:", "."};
+    static const size_t sizes[] = {60, 300, 1000, 20000, 300000};
+    static char text[300000];
+    size_t k, i, size;
+    for (k = 0; k < sizeof parts / sizeof parts[0]; k++) {
+        for (i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+            sins_scene *scene = NULL;
+            long before = allocator_bytes;
+            for (size = strlen(heads[k]), memcpy(text, heads[k], size); size + strlen(parts[k]) <= sizes[i];) {
+                memcpy(text + size, parts[k], strlen(parts[k]));
+                size += strlen(parts[k]);
+            }
+            allocator_peak = allocator_largest = 0;
+            CHECK(sins_scene_parse(text, size, &scene) == SINS_SCENE_HAS_FAULTS);
+            CHECK(allocator_peak - before <= allocator_largest);
+            CHECK(sins_scene_destroy(scene) == SINS_OK);
+        }
+    }
+}
+
+/* More runs than any machine has memory for are rejected by their number, before they take any. */
+static void starve_ensembles(void)
+{
+    static const size_t runs[] = {(size_t)4294967295u, (size_t)1 << 30};
+    sins_sim *sim = scene_simulator(NULL, 1);
+    size_t k;
+    for (k = 0; k < sizeof runs / sizeof runs[0]; k++) {
+        char text[200], start[40];
+        sins_ensemble *ensemble = NULL;
+        long before = allocator_bytes;
+        allocator_peak = 0;
+        CHECK(sins_ensemble_create(sim, 0, runs[k], &ensemble) == SINS_ERROR_OUT_OF_MEMORY && ensemble == NULL);
+        CHECK(allocator_bytes == before && allocator_peak - before < 16L << 20);
+        snprintf(start, sizeof start, "runs = %lu: ", (unsigned long)runs[k]);
+        CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
+        CHECK(strncmp(text, start, strlen(start)) == 0 && strstr(text, "bytes") != NULL);
+    }
+    CHECK(sins_destroy(sim) == SINS_OK);
+}
+
 /* Lets each allocation of `call` fail in turn, with all later ones. Returns the number of allocations. */
 static int starve(sins_status (*call)(void))
 {
@@ -243,6 +288,8 @@ int main(void)
     }
     starve_scenes();
     starve_parser();
+    measure_parser();
+    starve_ensembles();
     CHECK(memcmp(found, expected, sizeof expected) == 0);
     CHECK(sins_destroy(sim) == SINS_OK);
     return 0;

@@ -39,7 +39,7 @@ use crate::abi::memory::{Output, element};
 use crate::abi::simulator::sins_sim;
 use crate::abi::text::{bad_text, bytes_of, put_text, text_of};
 use crate::base::error::{Error, check_integer};
-use crate::base::memory::{missing, probe};
+use crate::base::memory::{of_bytes, probe};
 use crate::scene::{BUILTIN_SCENES, Fault, MAX_TEXT, Scene, builtin, keys_text};
 
 /// A scene. A handle is a checked key, as that of sins_sim, and never taken for one.
@@ -51,8 +51,16 @@ pub struct sins_scene {
 /// What a copy of a scene and its text take at the most, and with each item of a list more [bytes].
 const ROOM: usize = 1 << 16;
 const ROOM_OF_ITEM: usize = 1 << 12;
-/// What the parser makes of a byte at the most [bytes].
+/// What the parser makes of a byte of a scene's own text at the most [bytes].
 const ROOM_OF_BYTE: usize = 160;
+/// What it makes of a byte of a host's text, each of which may be a fault with its sentence, and of a short text [bytes].
+const ROOM_OF_HOSTS_BYTE: usize = 1 << 10;
+const ROOM_OF_FAULTS: usize = 1 << 17;
+
+/// Checks that there is memory for the parser to read `size` bytes of a host's text, beside `own` bytes.
+fn probe_text(own: usize, size: usize) -> Result<(), Error> {
+    probe(own + ROOM_OF_FAULTS + ROOM_OF_HOSTS_BYTE * size.min(MAX_TEXT))
+}
 
 fn of_scene(scene: Scene) -> SceneText {
     SceneText { scene: Some(Box::new(scene)), faults: Vec::new() }
@@ -107,7 +115,7 @@ impl From<Vec<Fault>> for Rejected {
 /// The faults of a text, unless it could not be read for lack of memory.
 fn of_text(faults: Vec<Fault>) -> Result<Vec<Fault>, CallError> {
     match faults.iter().any(|fault| fault.about.lacks_memory) {
-        true => Err(missing(faults.len()).into()),
+        true => Err(of_bytes(ROOM).into()),
         false => Ok(faults),
     }
 }
@@ -123,7 +131,7 @@ pub(in crate::abi) fn change_scene(
     with_object(&SCENES, scene, |SceneText { scene, faults }| {
         let Some(scene) = scene else { return Err(text_has_faults().into()) };
         let items = ROOM_OF_ITEM * scene.items();
-        probe(ROOM + items + ROOM_OF_BYTE * (ROOM + items + size).min(MAX_TEXT))?;
+        probe_text(ROOM + items + ROOM_OF_BYTE * (ROOM + items).min(MAX_TEXT), size)?;
         faults.clear();
         match body(scene) {
             Ok(()) => Ok(SINS_OK),
@@ -184,7 +192,7 @@ pub unsafe extern "C-unwind" fn sins_scene_parse(
         unsafe {
             hand_out(&SCENES, scene, "scene", || {
                 let text = bytes_of(text.cast(), size, "text")?;
-                probe(ROOM + ROOM_OF_BYTE * text.len().min(MAX_TEXT))?;
+                probe_text(ROOM, text.len())?;
                 Ok(match Scene::parse(text) {
                     Ok(scene) => of_scene(scene),
                     Err(faults) => {
