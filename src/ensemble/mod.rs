@@ -6,6 +6,8 @@ mod part;
 mod read;
 mod snapshot;
 pub mod statistics;
+#[cfg(test)]
+mod subnormal;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{probe, room};

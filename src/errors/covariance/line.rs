@@ -145,6 +145,11 @@ impl Advance {
 
     /// A random walk that has the standard deviation `start` and moves by `step`.
     pub fn walk(start: f64, step: f64) -> Self {
+        let end = (start * start + step * step).sqrt();
+        // A walk whose variance underflows is none.
+        if end == 0.0 {
+            return Self::still(0.0);
+        }
         let moments = Moments {
             end: 1.0,
             end_single: 1.0 / 2.0,
@@ -154,7 +159,6 @@ impl Advance {
             double: 1.0 / 20.0,
         };
         let (_, of_draw, rest) = moments.split();
-        let end = (start * start + step * step).sqrt();
         Self {
             decay: start / end,
             diffusion: step / end,

@@ -39,8 +39,10 @@ impl Effect for Linear {
 
     fn set(&mut self, parameters: &TriadParameters) -> bool {
         let given = parameters.misalignment + Matrix3::from_diagonal(&parameters.scale_factor);
-        self.matrix = given + sigma(parameters).component_mul(&self.turn_on);
-        self.matrix != Matrix3::zeros()
+        let sigma = sigma(parameters);
+        self.matrix = given + sigma.component_mul(&self.turn_on);
+        // By the parameters alone, as those of the bias.
+        given != Matrix3::zeros() || sigma != Matrix3::zeros()
     }
 
     fn visit(&mut self, visitor: &mut impl Visitor) {
