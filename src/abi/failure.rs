@@ -99,7 +99,11 @@ impl CallError {
     pub fn of_handle(status: sins_status, name: &'static str) -> Self {
         match status {
             SINS_ERROR_BAD_HANDLE => Self::bad_handle(name),
-            SINS_ERROR_INTERNAL => Self::internal(),
+            SINS_ERROR_INTERNAL => Self::words(
+                status,
+                name,
+                "a defect inside the library, in this call or an earlier one; destroy the handle if it keeps failing",
+            ),
             _ => Self::words(
                 status,
                 name,

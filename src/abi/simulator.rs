@@ -60,10 +60,12 @@ pub(super) fn look_at<T>(
     name: &'static str,
     view: impl FnOnce(&Simulator) -> T,
 ) -> Result<T, CallError> {
-    work_with(sim, name, |simulator| view(simulator))
+    SIMULATORS
+        .look_at(sim.addr(), |memory| view(&memory[0]))
+        .map_err(|status| CallError::of_handle(status, name))
 }
 
-/// [`look_at`] that may change the simulator.
+/// What `work` makes of a simulator that it may change, as [`look_at`].
 pub(super) fn work_with<T>(
     sim: *const sins_sim,
     name: &'static str,

@@ -53,14 +53,17 @@ pub(in crate::abi) fn enter_without_simulator(
     let cancellation = Cancellation::defer();
     silence_panics();
     let outer = HERE.with(|here| here.inside.replace(true));
+    let mut has_returned = false;
     let status = enter(|| {
-        body().unwrap_or_else(|failure| {
+        let result = body();
+        has_returned = true;
+        result.unwrap_or_else(|failure| {
             remember(failure);
             failure.status
         })
     });
     HERE.with(|here| here.inside.set(outer));
-    if status == SINS_ERROR_INTERNAL {
+    if !has_returned {
         remember(CallError::internal());
     }
     cancellation.restore();

@@ -140,6 +140,19 @@ impl<T, const KIND: usize> Registry<T, KIND> {
         }
     }
 
+    /// Runs `body` on the object of `key`, which it only reads, or gives a status: `SINS_ERROR_INTERNAL` for a defect of `body`, which
+    /// leaves the object as it was.
+    pub fn look_at<R>(&self, key: usize, body: impl FnOnce(&T) -> R) -> Result<R, sins_status> {
+        let place = self.find(key)?;
+        let Some([content]) = place.content.as_deref() else {
+            return Err(SINS_ERROR_BAD_HANDLE);
+        };
+        if content.broken {
+            return Err(SINS_ERROR_INTERNAL);
+        }
+        catch_unwind(AssertUnwindSafe(|| body(&content.value))).map_err(|_| SINS_ERROR_INTERNAL)
+    }
+
     /// The last failure of the object of `key`.
     pub fn last_failure(&self, key: usize) -> Result<Option<CallError>, sins_status> {
         match self.find(key)?.content.as_deref() {
@@ -280,15 +293,18 @@ mod tests {
     static BROKEN: Registry<u32, 2> = Registry::new();
 
     #[test]
-    fn a_defect_breaks_its_own_handle_alone() {
+    fn a_defect_breaks_its_own_handle_alone_and_none_that_it_reads() {
         let (bad, good) = (BROKEN.insert(1).unwrap(), BROKEN.insert(2).unwrap());
         let hook = std::panic::take_hook();
         std::panic::set_hook(Box::new(|_| {}));
         assert_eq!(BROKEN.with(bad, |_| panic!("a defect")), SINS_ERROR_INTERNAL);
+        assert_eq!(BROKEN.look_at(good, |_| -> u32 { panic!("a defect") }), Err(SINS_ERROR_INTERNAL));
+        assert_eq!(BROKEN.look_at(good, |number| *number), Ok(2));
         std::panic::set_hook(hook);
         assert_eq!(BROKEN.with(bad, |_| Ok(SINS_OK)), SINS_ERROR_INTERNAL);
         assert_eq!(BROKEN.with(good, |_| Ok(SINS_OK)), SINS_OK);
         assert_eq!(BROKEN.last_failure(bad), Ok(Some(CallError::internal())));
+        assert_eq!(BROKEN.look_at(bad, |number| *number), Err(SINS_ERROR_INTERNAL));
         assert_eq!(BROKEN.remove(bad), SINS_OK);
         assert_eq!(BROKEN.remove(good), SINS_OK);
     }
