@@ -6,7 +6,8 @@ use super::Chain;
 use crate::base::error::Error;
 use crate::errors::SensorErrors;
 use crate::errors::covariance::FlownInterval;
-use crate::mechanization::{VerticalAid, VerticalMode, check_state};
+use crate::mechanization::{Mechanization, VerticalAid, VerticalMode, check_state};
+use crate::signal::mounting::Block;
 use crate::signal::{Increment, IntervalMotion, MAX_INCREMENTS, SignalGenerator};
 use crate::simulator::aid::vertical_aid;
 use crate::simulator::chain::view::Views;
@@ -94,14 +95,17 @@ impl Chain {
     /// Checks that all solutions are within their limits: the solutions of the sensors' own point, of the shadow and of the
     /// reference point.
     pub(super) fn check(&self) -> Result<(), Error> {
-        self.mechanization.check()?;
         if let Some(closed_loop) = &self.closed_loop {
             closed_loop.check()?;
         }
-        match &self.block {
-            Some(block) => {
-                check_state(&self.earth, &block.belief().reference_point(&self.mechanization.state()))
-            }
+        self.check_in(&self.mechanization, self.block.as_ref())
+    }
+
+    /// Checks the solution of the sensors' own point in `block`, and that of the reference point.
+    pub(super) fn check_in(&self, mechanization: &Mechanization, block: Option<&Block>) -> Result<(), Error> {
+        mechanization.check()?;
+        match block {
+            Some(block) => check_state(&self.earth, &block.belief().reference_point(&mechanization.state())),
             None => Ok(()),
         }
     }

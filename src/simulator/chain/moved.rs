@@ -42,6 +42,7 @@ impl Chain {
         let block = self.block.map(|block| block.turning_at(rate_at_start(&self.earth, to, None)));
         let jump = self.jump(block.as_ref(), from, to);
         let mechanization = self.carried(&self.mechanization, &jump)?;
+        self.check_in(&mechanization, block.as_ref())?;
         let shadow = match self.closed_loop.as_mut().and_then(|closed_loop| closed_loop.shadow_mut().copied())
         {
             Some(shadow) => Some(self.carried(&shadow, &jump)?),
@@ -70,6 +71,9 @@ impl Chain {
         let jump = self.jump(block.as_ref(), &without, point);
         // Only the velocity changes: a place with the position error exists at this height, because it is the current place.
         let Ok(mechanization) = self.carried(&self.mechanization, &jump) else { return };
+        if self.check_in(&mechanization, block.as_ref()).is_err() {
+            return;
+        }
         let shadow = self
             .closed_loop
             .as_mut()

@@ -7,10 +7,10 @@ use sins::mechanization::{Frame, VerticalMode};
 use sins::sensors::InitialErrorParameters;
 use sins::signal::mounting::MountingParameters;
 use sins::truth::FlightSample;
-use sins::{ErrorSource, Options, Simulator};
+use sins::{ErrorKind, ErrorSource, Options, Simulator};
 
 use super::{elsewhere, troubled};
-use crate::support::moments::initial;
+use crate::support::moments::{initial, reads, snapshot};
 use crate::support::{errors, fly_through, options_at, patrol, resting_sample};
 
 /// Size of the difference of two sets of errors: position [m], velocity [m/s], misalignment [rad].
@@ -184,4 +184,56 @@ fn a_slew_of_a_block_in_a_closed_loop_moves_no_draw() {
         }
     }
     assert!(slewed.trim().unwrap().unwrap().force_m_s2 < 1e-6, "{:?}", slewed.trim());
+}
+
+/// Slews of a vehicle that turns fast about a block far from its reference point: such a point is faster than the vehicle. What the limit of
+/// the speed accepts is a simulator whose snapshot loads; what it rejects has changed nothing.
+#[test]
+fn a_slew_that_is_accepted_has_a_snapshot_that_loads() {
+    let (mut accepted, mut rejected) = (0, 0);
+    for frame in [Frame::EarthFixed, Frame::Geographic] {
+        for with_velocity in [true, false] {
+            for rate in [0.0, 500.0, 700.0, 990.0, 1000.0] {
+                for speed in [0.0, 3e3, 15e3] {
+                    let mut simulator = troubled(&Options { frame, ..Options::default() });
+                    let far = Vector3::new(0.0, 100.0, 0.0);
+                    simulator
+                        .set_mounting(&MountingParameters {
+                            lever_arm_m: far,
+                            lever_arm_error_m: far,
+                            ..Default::default()
+                        })
+                        .unwrap();
+                    fly_through(&mut simulator, [resting_sample(0.0), resting_sample(0.02)]);
+                    let turning = |time_s: f64, north_m: f64| {
+                        let mut sample = elsewhere(time_s, 40.0, 1e4, speed);
+                        sample.place.latitude_rad += north_m / 6.4e6;
+                        sample.omega_ib_b = Some(Vector3::new(0.0, 0.0, rate));
+                        sample.v_n = sample.v_n.filter(|_| with_velocity);
+                        sample
+                    };
+                    let before = (reads(&simulator), snapshot(&simulator));
+                    match simulator.move_truth(&turning(10.0, 0.0)) {
+                        Ok(()) => accepted += 1,
+                        Err(error) => {
+                            assert_eq!(error.kind, ErrorKind::Diverged, "{error}");
+                            assert!(before == (reads(&simulator), snapshot(&simulator)), "{error}");
+                            rejected += 1;
+                        }
+                    }
+                    // The first velocity of a slew without one comes with the next sample.
+                    for north_m in [None, Some(0.01 * speed)] {
+                        north_m
+                            .into_iter()
+                            .for_each(|north_m| _ = simulator.push_sample(&turning(10.01, north_m)));
+                        let mut loaded = Simulator::new(&Options::default()).unwrap();
+                        loaded.load_snapshot(&snapshot(&simulator)).unwrap();
+                        assert!(reads(&loaded) == reads(&simulator), "{rate} rad/s, {speed} m/s");
+                    }
+                }
+            }
+        }
+    }
+    println!("{accepted} slews accepted, {rejected} rejected");
+    assert!(accepted > 10 && rejected > 10, "{accepted} {rejected}");
 }
