@@ -3,17 +3,19 @@
 use super::{Mode, Unit, UnitParameters};
 use crate::base::error::Error;
 use crate::base::snapshot::{CLOCK_S, Reader, SIGNALS, SnapshotOf, Stored as _, Writer, fitting, stored};
+use crate::truth::INTERVALS_S;
 
 stored!(Unit {
     parameters, kind, selector, power, state, state_s: CLOCK_S, time_s: CLOCK_S, entered: 6.3, refused: 6.3, stored, switched_on_e: SIGNALS, q_bs: 2.0, axes,
     inertial, motion, alignment, q_il: 2.0, heading_entered, realigned, reasons, found_latitude_rad: 1.6, latitude_failures: 2.0,
     has_signal, age_s: CLOCK_S, invalid_s: CLOCK_S, on_battery_s: CLOCK_S, kept_s: CLOCK_S, test_s: CLOCK_S, in_navigation_s: CLOCK_S, measured,
-    interval_s: SIGNALS
+    interval_s: INTERVALS_S.1
 } rebuilt { limits } then |unit, from| {
     unit.parameters.validate()?;
     unit.limits = unit.parameters.with_defaults();
     let sizes = unit.q_bs.norm_squared().min(unit.q_il.norm_squared());
-    from.require(sizes > 0.9 && unit.interval_s > 0.0, sizes, "is not of size 1")?;
+    from.require(sizes > 0.9, sizes, "is not of size 1")?;
+    from.require(unit.interval_s >= INTERVALS_S.0, unit.interval_s, "is no length of an interval")?;
     let clocks = [unit.age_s, unit.state_s, unit.invalid_s, unit.on_battery_s, unit.kept_s, unit.test_s, unit.in_navigation_s];
     let least = clocks.into_iter().chain(unit.alignment.clocks()).fold(0.0, f64::min);
     from.require(least >= 0.0, least, "is a time before the start")

@@ -19,6 +19,7 @@ pub mod c_programs;
 pub mod closed_form;
 pub mod draws;
 pub mod fnv;
+pub mod forged;
 pub mod moments;
 pub mod orbits;
 pub mod patrol;

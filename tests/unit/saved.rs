@@ -1,10 +1,12 @@
 //! Snapshots of a unit.
 
+use sins::ErrorKind;
+use sins::snapshot::{self, SnapshotOf};
 use sins::unit::{AlignmentKind, Mode, State, Unit, UnitParameters};
-use sins::{ErrorKind, snapshot};
 
 use crate::aircraft::{Aircraft, Motion, Receiver, papers_sensors};
 use crate::support::bits;
+use crate::support::forged::{forge, words};
 
 fn saved(unit: &Unit) -> Vec<u8> {
     let mut buffer = vec![0; sins::abi::SINS_UNIT_SNAPSHOT_MAX_SIZE];
@@ -120,7 +122,7 @@ fn damaged_bytes_are_refused_and_change_nothing() {
         bytes[at] ^= bit;
         assert_eq!(aircraft.unit.load_snapshot(&bytes).unwrap_err().kind, ErrorKind::Snapshot, "{at}");
         // With a correct checksum: refused, or a unit that works.
-        snapshot::seal(&mut bytes, snapshot::SnapshotOf::Unit);
+        snapshot::seal(&mut bytes, SnapshotOf::Unit);
         let mut forged = before;
         if forged.load_snapshot(&bytes).is_ok() {
             let mut other = aircraft.clone();
@@ -138,6 +140,89 @@ fn damaged_bytes_are_refused_and_change_nothing() {
     let length = aircraft.simulator.save_snapshot(&mut simulators).unwrap();
     let error = aircraft.unit.load_snapshot(&simulators[..length]).unwrap_err();
     assert!(error.to_string().ends_with("it is one of a simulator"), "{error}");
+}
+
+/// Every number that a unit shows.
+fn shown(aircraft: &Aircraft) -> Vec<f64> {
+    let shown = aircraft.navigation();
+    let (place, euler) = (shown.place, shown.euler);
+    let mut all = vec![shown.time_s, place.latitude_rad, place.longitude_rad, place.height_m];
+    all.extend([euler.roll, euler.pitch, euler.heading]);
+    all.extend(shown.v_n.iter().chain(&shown.rate_b).chain(&shown.force_b));
+    let status = aircraft.unit.status();
+    all.extend([status.to_go_s, status.in_navigation_s, status.found_latitude_rad.unwrap_or_default()]);
+    all
+}
+
+/// Each word of snapshots in every state, in turn another number: rejected, or a unit that shows numbers, at once and on the ground, in the
+/// air and in another mode.
+#[test]
+fn forged_snapshots_show_numbers() {
+    let mut moments = Vec::new();
+    let mut aircraft = Aircraft::new(10.0, 2, 5.0, &papers_sensors());
+    aircraft.unit.select(Mode::Align);
+    for (mode, motion, seconds) in [
+        (Mode::Align, Motion::Rest, 40.0),
+        (Mode::Align, Motion::Rest, 90.0),
+        (Mode::Align, Motion::Sway, 300.0),
+        (Mode::Navigate, Motion::Drive { acceleration: 1.0, to: 20.0 }, 30.0),
+        (Mode::Align, Motion::Rest, 40.0),
+        (Mode::Attitude, Motion::Rest, 60.0),
+    ] {
+        aircraft.unit.select(mode);
+        aircraft.go(motion, seconds);
+        moments.push(aircraft.clone());
+        if mode == Mode::Align {
+            aircraft.enter_true_position();
+        }
+    }
+    let mut aircraft = Aircraft::new(10.0, 2, 5.0, &papers_sensors());
+    aircraft.receiver = Some(Receiver::new(9, 3.0, 0.02));
+    aircraft.unit.set_alignment(AlignmentKind::InFlight);
+    aircraft.unit.select(Mode::Navigate);
+    for motion in [Motion::Drive { acceleration: 1.0, to: 80.0 }, Motion::Turn(0.03)] {
+        aircraft.go(motion, 50.0);
+        moments.push(aircraft.clone());
+    }
+    let numbers = [5e-324, 1e-6, 1.0, 1e12, 1e120, -1e9].map(f64::to_bits);
+    let (mut all, mut loaded) = (0, 0);
+    for aircraft in &moments {
+        let good = words(&saved(&aircraft.unit));
+        assert!(
+            forge(&good, SnapshotOf::Unit) == saved(&aircraft.unit),
+            "the forger's words are the saved ones"
+        );
+        for (at, number) in (0..good.len()).flat_map(|at| numbers.map(|number| (at, number))) {
+            let mut words = good.clone();
+            words[at] = number;
+            let bytes = forge(&words, SnapshotOf::Unit);
+            let mut other = aircraft.clone();
+            all += 1;
+            if other.unit.load_snapshot(&bytes).is_err() {
+                continue;
+            }
+            loaded += 1;
+            let state = other.unit.status().state;
+            let check = |other: &Aircraft, when: &str| {
+                let shown = shown(other);
+                assert!(
+                    shown.iter().all(|number| number.is_finite()),
+                    "{state:?} {at} {:e} {when}: {shown:?}",
+                    f64::from_bits(number)
+                );
+            };
+            check(&other, "at once");
+            other.stand(1.0);
+            check(&other, "at rest");
+            other.receiver = Some(Receiver::new(9, 3.0, 0.02));
+            other.go(Motion::Drive { acceleration: 1.0, to: 80.0 }, 2.2);
+            check(&other, "in motion");
+            other.unit.select(if state == State::Navigation { Mode::Align } else { Mode::Attitude });
+            other.stand(1.0);
+            check(&other, "in another mode");
+        }
+    }
+    println!("{loaded} of {all} forged snapshots are units");
 }
 
 /// A pair that is saved between the step and the update of the unit: the parts of the interval are in the snapshot of the simulator.
