@@ -197,7 +197,10 @@ typedef enum sins_status_code {
     SINS_ERROR_OUT_OF_MEMORY = -12,
     /** The bytes are not a snapshot, or are one that is damaged or of a newer release. */
     SINS_ERROR_SNAPSHOT = -13,
-    /** A defect inside the library was caught. This handle returns this status from now on; other handles still work. */
+    /**
+     * A defect inside the library was caught. This handle returns this status from now on; other handles still work, and so does a
+     * simulator that the call only read, such as the template of sins_ensemble_create().
+     */
     SINS_ERROR_INTERNAL = -99
 } sins_status_code;
 
