@@ -1,5 +1,5 @@
 # Finds cargo, the Rust target for the C compiler and the system's libraries that Rust's standard library needs.
-# Gives: SINS_CARGO, cargo_environment, target_argument, cargo_output, system_libraries.
+# Gives: SINS_CARGO, cargo_environment, target_argument, remap_argument, cargo_output, system_libraries.
 
 set(mend "Install it from https://rustup.rs, or set SINS_CARGO to another cargo, and configure again.")
 find_program(SINS_CARGO cargo PATHS "$ENV{CARGO_HOME}/bin" "$ENV{HOME}/.cargo/bin" "$ENV{USERPROFILE}/.cargo/bin"
@@ -57,6 +57,13 @@ if(SINS_CARGO_TARGET)
         set(cargo_environment CARGO_TARGET_${name}_LINKER=${CMAKE_C_COMPILER})
     endif()
 endif()
+
+# In the configuration and not in the environment: flags that the user has set stay, and count instead.
+include(${CMAKE_CURRENT_LIST_DIR}/remap.cmake)
+sins_remap(flags "${CMAKE_CURRENT_SOURCE_DIR}" ${SINS_RUSTC})
+list(TRANSFORM flags REPLACE "(.+)" "'\\1'")
+list(JOIN flags "," flags)
+set(remap_argument --config "build.rustflags=[${flags}]")
 
 # Those that Rust's standard library names; the library itself adds none. C compilers link with libgcc_s and libc unasked, and
 # programs linked by -static have no libgcc_s.

@@ -5,12 +5,13 @@ version=$(sed -n '/^version = /{s/.*"\(.*\)"/\1/p;q}' Cargo.toml)
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 export SOURCE_DATE_EPOCH
 
-# flags TOOLCHAIN FLAG...: prints the flags of every crate, which also keep paths of this machine out of the build. They are
-# encoded, because a path may have blanks.
+need cmake cmake
+
+# flags TOOLCHAIN FLAG...: prints the flags of every crate, which also keep paths of this machine out of the build
+# (cmake/remap.cmake). They are encoded, because a path may have blanks.
 flags() {
-    local list="--remap-path-prefix=$PWD=/sins" flag
-    list+=$'\x1f'"--remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}=/cargo"
-    list+=$'\x1f'"--remap-path-prefix=$(rustc "+$1" --print sysroot)/lib/rustlib/src/rust=/rust"
+    local list flag
+    list=$(cmake -DSOURCE="$PWD" "-DRUSTC=rustc;+$1" -P cmake/remap.cmake | paste -s -d $'\x1f')
     shift
     for flag in "$@"; do list+=$'\x1f'$flag; done
     printf %s "$list"

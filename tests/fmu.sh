@@ -12,6 +12,7 @@ cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/wine.sh
 . tests/support/built.sh
+. tests/support/folders.sh
 
 folder=$PWD/target/fmu
 mkdir -p "$folder"
@@ -20,6 +21,7 @@ need unzip unzip
 need python3-venv /usr/share/doc/python3-venv
 
 build_program
+is_of_release=${FMU:-}
 if [ -z "${FMU:-}" ]; then
     FMU=$folder/sins.fmu
     cargo build --quiet --release -p sins-fmu --lib
@@ -62,6 +64,8 @@ fi
 unit="$folder/Übungsflüge 100 %"
 rm -rf "$unit"
 unzip -q "$FMU" -d "$unit"
+# What cargo alone builds names the folders of its crates.
+[ -z "$is_of_release" ] || name_no_folder "$unit"
 uri=$(python3 -c 'import pathlib, sys; print(pathlib.Path(sys.argv[1], "resources").as_uri())' "$unit")
 cp "$unit/modelDescription.xml" "$folder"
 digest=

@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . tests/support/wine.sh
 . tests/support/pe.sh
+. tests/support/folders.sh
 . release/build.sh
 
 packages=("$@")
@@ -49,7 +50,7 @@ files() {
         grep -q "$name" "$folder/docs/sins.h/index.html" || fail "$folder: the manual does not begin with \"$name\""
     done
     grep -rq 'Failures of sensors' "$folder"/docs/sins.h/group__*.html || fail "$folder: the manual has no subjects"
-    if grep -rlF -e "$PWD" -e "$HOME/" "$folder"; then fail "these name a folder of this machine"; fi
+    name_no_folder "$folder"
 }
 
 # wheel FOLDER: installs the package for Python from the file in the package, and flies: by the interface in C without numpy, and with it.
@@ -104,7 +105,7 @@ linux() {
     local readelf=$2-linux-gnu-readelf runner=("${@:3}")
     tar -C "$out" -xzf "$dist/$name.tar.gz"
     tar -C "$out" -xzf "$dist/$name-debug.tar.gz"
-    if grep -rlF -e "$PWD" -e "$HOME/" "$folder-debug"; then fail "these name a folder of this machine"; fi
+    name_no_folder "$folder-debug"
     files "$folder" bin/sins lib/{libsins.a,libsins.so,libsins.so.1,pkgconfig/sins.pc,cmake/sins/sinsConfig.cmake}
     for file in "$folder/lib/libsins.so" "$folder/bin/sins"; do
         "$readelf" -VW "$file" | grep -o 'GLIBC_[0-9.]*' | sort -uV | tail -n1 >"$out/newest"
