@@ -9,6 +9,9 @@ use crate::interface::{Component, elements, elements_mut, fmi2OK, fmi2Status, on
 use crate::values::{Base, Value};
 
 /// Reads variables of one type.
+///
+/// # Safety
+/// As [`on`]; both arrays have `count` elements.
 unsafe fn get<T>(
     component: *mut Component,
     function: &str,
@@ -16,6 +19,7 @@ unsafe fn get<T>(
     (references, count, values): (*const u32, usize, *mut T),
     convert: impl Fn(Value) -> Option<T>,
 ) -> fmi2Status {
+    // SAFETY: as this function: the component is as the documentation of `interface` says; both arrays have `count` elements.
     unsafe {
         on(component, function, |component| {
             let references = elements(references, count)?;
@@ -29,12 +33,16 @@ unsafe fn get<T>(
 }
 
 /// Sets variables of one type.
+///
+/// # Safety
+/// As [`on`]; both arrays have `count` elements.
 unsafe fn set<T: Copy>(
     component: *mut Component,
     function: &str,
     (references, count, values): (*const u32, usize, *const T),
     convert: impl Fn(T) -> Result<Value, Refused>,
 ) -> fmi2Status {
+    // SAFETY: as this function: the component is as the documentation of `interface` says; both arrays have `count` elements.
     unsafe {
         on(component, function, |component| {
             let references = elements(references, count)?;
@@ -56,6 +64,7 @@ macro_rules! getters {
             values: *mut $type,
         ) -> fmi2Status {
             let own = |value| if let Value::$base(value) = value { Some(<$type>::from(value)) } else { None };
+            // SAFETY: the promises of the master in `interface` are those of the function; a text is null or terminated.
             unsafe { get(component, stringify!($name), Base::$base, (references, count, values), own) }
         }
     )*};
@@ -76,6 +85,7 @@ macro_rules! setters {
             count: usize,
             values: *const $type,
         ) -> fmi2Status {
+            // SAFETY: the promises of the master in `interface` are those of the function; a text is null or terminated.
             unsafe { set(component, stringify!($name), (references, count, values), $value) }
         }
     )*};
@@ -95,6 +105,7 @@ pub unsafe extern "C-unwind" fn fmi2GetString(
     count: usize,
     values: *mut *const c_char,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; both arrays have `count` elements.
     unsafe {
         on(component, "fmi2GetString", |component| {
             let references = elements(references, count)?;

@@ -202,7 +202,7 @@ pub unsafe extern "C-unwind" fn fmi2SetDebugLogging(
     count: usize,
     categories: *const *const c_char,
 ) -> fmi2Status {
-    // SAFETY: the promise in the documentation of the module; also for all functions below.
+    // SAFETY: the component is as the documentation of the module says; the array has `count` terminated texts.
     unsafe {
         on(component, "fmi2SetDebugLogging", |component| {
             let names = elements(categories, count)?;
@@ -222,6 +222,7 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
     _stop_time_defined: c_int,
     _stop_time: f64,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of the module says.
     unsafe {
         on(component, "fmi2SetupExperiment", |component| {
             component.instance.require(&[Phase::Instantiated])?;
@@ -232,22 +233,29 @@ pub unsafe extern "C-unwind" fn fmi2SetupExperiment(
 }
 
 /// Changes the phase of a component.
+///
+/// # Safety
+/// As [`on`].
 unsafe fn go(component: *mut Component, function: &str, from: Phase, to: Phase) -> fmi2Status {
+    // SAFETY: as this function.
     unsafe { on(component, function, |component| component.instance.go(from, to).map(|()| fmi2OK)) }
 }
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2EnterInitializationMode(component: *mut Component) -> fmi2Status {
+    // SAFETY: the component is as the documentation of the module says.
     unsafe { go(component, "fmi2EnterInitializationMode", Phase::Instantiated, Phase::Initializing) }
 }
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2ExitInitializationMode(component: *mut Component) -> fmi2Status {
+    // SAFETY: the component is as the documentation of the module says.
     unsafe { go(component, "fmi2ExitInitializationMode", Phase::Initializing, Phase::Stepping) }
 }
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2Terminate(component: *mut Component) -> fmi2Status {
+    // SAFETY: the component is as the documentation of the module says.
     unsafe {
         on(component, "fmi2Terminate", |component| {
             component.instance.go(Phase::Stepping, Phase::Terminated)?;
@@ -261,6 +269,7 @@ pub unsafe extern "C-unwind" fn fmi2Terminate(component: *mut Component) -> fmi2
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2Reset(component: *mut Component) -> fmi2Status {
+    // SAFETY: the component is as the documentation of the module says.
     unsafe {
         on(component, "fmi2Reset", |component| {
             component.instance.reset();

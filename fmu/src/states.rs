@@ -29,6 +29,7 @@ pub unsafe extern "C-unwind" fn fmi2GetFMUstate(
     component: *mut Component,
     state: *mut *mut State,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; `state` is null or holds null or a state that was not freed.
     unsafe {
         on(component, "fmi2GetFMUstate", |component| {
             let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;
@@ -40,6 +41,7 @@ pub unsafe extern "C-unwind" fn fmi2GetFMUstate(
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2SetFMUstate(component: *mut Component, state: *mut State) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; `state` is null or was not freed.
     unsafe {
         on(component, "fmi2SetFMUstate", |component| {
             let state = state.as_ref().ok_or_else(|| Refused::error("a null pointer for a state"))?;
@@ -54,6 +56,7 @@ pub unsafe extern "C-unwind" fn fmi2FreeFMUstate(
     component: *mut Component,
     state: *mut *mut State,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; the state is freed once, and its place becomes null.
     unsafe {
         on(component, "fmi2FreeFMUstate", |_| {
             if let Some(state) = state.as_mut().filter(|state| !state.is_null()) {
@@ -71,6 +74,7 @@ pub unsafe extern "C-unwind" fn fmi2SerializedFMUstateSize(
     state: *mut State,
     size: *mut usize,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; `state` is null or was not freed, `size` is null or writable.
     unsafe {
         on(component, "fmi2SerializedFMUstateSize", |_| match (state.as_ref(), size.as_mut()) {
             (Some(state), Some(size)) => {
@@ -89,6 +93,7 @@ pub unsafe extern "C-unwind" fn fmi2SerializeFMUstate(
     bytes: *mut u8,
     size: usize,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; `state` is null or was not freed, `bytes` has room for `size`.
     unsafe {
         on(component, "fmi2SerializeFMUstate", |_| {
             let state = state.as_ref().ok_or_else(|| Refused::error("a null pointer for a state"))?;
@@ -109,6 +114,7 @@ pub unsafe extern "C-unwind" fn fmi2DeSerializeFMUstate(
     size: usize,
     state: *mut *mut State,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; there are `size` bytes; `state` is as in `fmi2GetFMUstate`.
     unsafe {
         on(component, "fmi2DeSerializeFMUstate", |component| {
             let state = state.as_mut().ok_or_else(|| Refused::error("a null pointer"))?;

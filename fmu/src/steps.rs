@@ -22,6 +22,7 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
     communication_step_size: f64,
     _no_set_state_prior_to_current_point: c_int,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe {
         on(component, "fmi2DoStep", |component| {
             let time_s = current_communication_point;
@@ -59,12 +60,17 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
 }
 
 /// Refuses a call that this unit does not support.
+///
+/// # Safety
+/// As [`on`].
 unsafe fn without(component: *mut Component, function: &str, why: &str) -> fmi2Status {
+    // SAFETY: as this function.
     unsafe { on(component, function, |_| Err(Refused::error(why))) }
 }
 
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn fmi2CancelStep(component: *mut Component) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe { without(component, "fmi2CancelStep", "steps are never asynchronous") }
 }
 
@@ -76,6 +82,7 @@ pub unsafe extern "C-unwind" fn fmi2SetRealInputDerivatives(
     _orders: *const c_int,
     _values: *const f64,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe { without(component, "fmi2SetRealInputDerivatives", "inputs are not interpolated") }
 }
 
@@ -87,6 +94,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealOutputDerivatives(
     _orders: *const c_int,
     _values: *mut f64,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe { without(component, "fmi2GetRealOutputDerivatives", "outputs have no derivatives") }
 }
 
@@ -100,6 +108,7 @@ pub unsafe extern "C-unwind" fn fmi2GetDirectionalDerivative(
     _seed: *const f64,
     _values: *mut f64,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe { without(component, "fmi2GetDirectionalDerivative", "there are no directional derivatives") }
 }
 
@@ -109,6 +118,7 @@ pub unsafe extern "C-unwind" fn fmi2GetRealStatus(
     kind: c_int,
     value: *mut f64,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; `value` is null or writable.
     unsafe {
         on(component, "fmi2GetRealStatus", |component| match (kind, value.as_mut()) {
             (LAST_SUCCESSFUL_TIME, Some(value)) => {
@@ -126,6 +136,7 @@ pub unsafe extern "C-unwind" fn fmi2GetBooleanStatus(
     kind: c_int,
     value: *mut c_int,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says; `value` is null or writable.
     unsafe {
         on(component, "fmi2GetBooleanStatus", |_| match (kind, value.as_mut()) {
             (TERMINATED, Some(value)) => {
@@ -143,6 +154,7 @@ pub unsafe extern "C-unwind" fn fmi2GetStatus(
     _kind: c_int,
     _value: *mut c_int,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe { without(component, "fmi2GetStatus", "steps are never asynchronous") }
 }
 
@@ -152,6 +164,7 @@ pub unsafe extern "C-unwind" fn fmi2GetIntegerStatus(
     _kind: c_int,
     _value: *mut c_int,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe { without(component, "fmi2GetIntegerStatus", "there is no integer status") }
 }
 
@@ -161,5 +174,6 @@ pub unsafe extern "C-unwind" fn fmi2GetStringStatus(
     _kind: c_int,
     _value: *mut *const c_char,
 ) -> fmi2Status {
+    // SAFETY: the component is as the documentation of `interface` says.
     unsafe { without(component, "fmi2GetStringStatus", "steps are never asynchronous") }
 }

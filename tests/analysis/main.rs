@@ -1,4 +1,8 @@
 //! Results of the library for a flight without single runs: recommendations, budgets, covariances, statistics.
+#![allow(
+    clippy::undocumented_unsafe_blocks,
+    reason = "the tests keep the promises of the functions that they call, or break them on purpose"
+)]
 
 #[path = "../support/mod.rs"]
 mod support;

@@ -1,5 +1,9 @@
 //! Everything that a host calls and writes: the C functions, the header, the examples, scenes and
 //! flight logs.
+#![allow(
+    clippy::undocumented_unsafe_blocks,
+    reason = "the tests keep the promises of the functions that they call, or break them on purpose"
+)]
 
 #[path = "../support/mod.rs"]
 mod support;

@@ -1,4 +1,8 @@
 //! Hard cases: places, attitudes and durations that an aircraft does not fly, and input that only a faulty host sends.
+#![allow(
+    clippy::undocumented_unsafe_blocks,
+    reason = "the tests keep the promises of the functions that they call, or break them on purpose"
+)]
 
 #[path = "../support/mod.rs"]
 mod support;

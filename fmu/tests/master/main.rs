@@ -1,4 +1,8 @@
 //! Calls of a master: corrections, parts of intervals, wrong calls, calls in random order, the URI of the resources, a doubtful truth.
+#![allow(
+    clippy::undocumented_unsafe_blocks,
+    reason = "the tests keep the promises of the functions that they call, or break them on purpose"
+)]
 
 mod corrections;
 #[allow(dead_code, reason = "these tests use a part of it")]
