@@ -186,8 +186,8 @@ fn a_slew_of_a_block_in_a_closed_loop_moves_no_draw() {
     assert!(slewed.trim().unwrap().unwrap().force_m_s2 < 1e-6, "{:?}", slewed.trim());
 }
 
-/// Slews of a vehicle that turns fast about a block far from its reference point: such a point is faster than the vehicle. What the limit of
-/// the speed accepts is a simulator whose snapshot loads; what it rejects has changed nothing.
+/// Slews of a vehicle that turns fast about a block far from its reference point: such a point is faster than the vehicle. What the limit
+/// of the speed accepts is a simulator whose snapshot loads; what it rejects has changed nothing.
 #[test]
 fn a_slew_that_is_accepted_has_a_snapshot_that_loads() {
     let (mut accepted, mut rejected) = (0, 0);
