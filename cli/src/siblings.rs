@@ -49,7 +49,7 @@ pub fn add(path: &Path, found: &mut Survey) {
     for Sibling { format, own, its, keys } in SIBLINGS {
         let Some(at) = name.rfind(own).filter(|_| found.format == Some(format)) else { continue };
         let file = format!("{}{its}{}", &name[..at], &name[at + own.len()..]);
-        let is_plain = !file.contains(['"', '\\']) && !file.chars().any(char::is_control);
+        let is_plain = !file.contains(['"', '\\', ':']) && !file.chars().any(char::is_control);
         let is_new = !found.text.lines().any(|line| line.starts_with(&format!("{} = ", keys[0].0)));
         if !(is_plain && is_new && path.with_file_name(&file).is_file()) {
             continue;

@@ -124,3 +124,85 @@ fn topics_of_px4_are_found() {
         truth.lines().nth(1002).unwrap().split(',').map(|field| field.parse().unwrap()).collect();
     assert!((row[3] - 1500.0).abs() < 1e-3 && (row[9] - 3.0 * row[0]).abs() < 0.01, "{row:?}");
 }
+
+/// A second file is beside the log: a scene of somebody else shows no line of another folder, and waits for no pipe.
+#[test]
+fn no_file_outside_the_folder_of_the_log_is_read() {
+    let folder = folder("outside");
+    std::fs::create_dir_all(folder.join("logs/below")).unwrap();
+    ardupilot(&folder.join("logs"));
+    let secret = "TOP,SECRET\n1,2\n";
+    for place in ["secret.csv", "logs/below/secret.csv", "logs/below/ATT.csv"] {
+        std::fs::write(folder.join(place), secret).unwrap();
+    }
+    let said = done(&folder, &["log", "logs/POS.csv", "--map", "map.toml"]);
+    assert!(said.contains("ATT.csv is interpolated"), "{said}");
+    let map = read(folder.join("map.toml"));
+    let absolute = folder.join("secret.csv").display().to_string();
+    let fly = |file: &str| {
+        let quoted = format!("file = '{file}'");
+        std::fs::write(folder.join("other.toml"), map.replace("file = \"ATT.csv\"", &quoted)).unwrap();
+        let keys: String = map[map.find("[log]").unwrap()..].replace("file = \"ATT.csv\"", &quoted);
+        let scene = format!("[flight]\nfile = \"logs/POS.csv\"\n{keys}");
+        std::fs::write(folder.join("scene.toml"), scene).unwrap();
+        [&["fly", "logs/POS.csv", "--columns", "other.toml"][..], &["fly", "scene.toml"]].map(|arguments| {
+            let errors = rejected(&folder, arguments);
+            assert!(!errors.contains("SECRET"), "{file}: {errors}");
+            errors
+        })
+    };
+    for file in [
+        absolute.as_str(),
+        "../secret.csv",
+        "below/secret.csv",
+        "..",
+        "./ATT.csv",
+        r"..\secret.csv",
+        r"below\secret.csv",
+        r"\\host\share\secret.csv",
+        r"C:\secret.csv",
+        "C:secret.csv",
+        "ATT.csv:stream",
+        "/dev/stdin",
+    ] {
+        for errors in fly(file) {
+            let expected =
+                "log.roll.file: expected the name of a file beside the log, without a folder or a colon";
+            assert!(errors.contains(expected), "{file}: {errors}");
+        }
+    }
+    for errors in fly("below") {
+        assert!(errors.contains("below: is no plain file: expected one beside the log"), "{errors}");
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::symlink;
+        let logs = folder.join("logs");
+        for (to, from) in
+            [("../secret.csv", "up.csv"), ("below/ATT.csv", "down.csv"), ("/dev/zero", "zero.csv")]
+        {
+            symlink(to, logs.join(from)).unwrap();
+            for errors in fly(from) {
+                let expected =
+                    format!("logs/{from}: is a link to another folder: expected a file beside the log");
+                assert!(errors.contains(&expected), "{errors}");
+            }
+        }
+        assert!(std::process::Command::new("mkfifo").arg(logs.join("pipe.csv")).status().unwrap().success());
+        for errors in fly("pipe.csv") {
+            assert!(errors.contains("logs/pipe.csv: is no plain file"), "{errors}");
+        }
+        // Links to the log and to the file beside it, and a link between two names, are those of one folder.
+        std::fs::create_dir(folder.join("links")).unwrap();
+        symlink("ATT.csv", logs.join("same.csv")).unwrap();
+        for name in ["POS.csv", "ATT.csv", "XKF1.csv", "same.csv"] {
+            symlink(logs.join(name), folder.join("links").join(name)).unwrap();
+        }
+        std::fs::write(folder.join("same.toml"), map.replace("ATT.csv", "same.csv")).unwrap();
+        for arguments in [["links/POS.csv", "map.toml"], ["logs/POS.csv", "same.toml"]] {
+            let [log, columns] = arguments;
+            let (code, _, errors) = run(&folder, &["scene", "check", log, "--columns", columns]);
+            assert!(code == 0 && errors.contains("is interpolated"), "{errors}");
+        }
+    }
+}

@@ -70,6 +70,11 @@ impl Default for LogColumn {
 pub(in crate::scene) const TAKES: &str =
     "\"NAME\" of a column, { col = \"NAME\", unit = \"ft\" }, or a number";
 
+/// Whether a text is a name alone, on every system: no path leads out of the folder of the log. On Windows a colon stands behind a drive.
+fn is_beside(name: &str) -> bool {
+    !name.contains(['/', '\\', ':']) && !matches!(name, "." | "..")
+}
+
 impl LogColumn {
     /// The column that a value of a text describes; on an error what is wrong.
     pub(in crate::scene) fn of(value: &Value, quantity: usize) -> Result<Self, String> {
@@ -137,8 +142,12 @@ impl LogColumn {
                 ("file", _) if ["time", "latitude", "longitude"].contains(&key) => {
                     return Err(format!("log.{key}.file: times and positions are those of the log itself"));
                 }
-                ("file", Value::Text(text)) if is_name(text) => column.file.clone_from(text),
-                ("file", _) => return Err(expected("the name of a file beside the log")),
+                ("file", Value::Text(text)) if is_name(text) && is_beside(text) => {
+                    column.file.clone_from(text);
+                }
+                ("file", _) => {
+                    return Err(expected("the name of a file beside the log, without a folder or a colon"));
+                }
                 ("part", Value::Whole(number @ 1..=100)) => column.part = *number as usize,
                 ("part", _) => return Err(expected("a part of a cell, from 1 to 100")),
                 ("hemisphere", _) if sides(quantity).is_none() => {
@@ -219,6 +228,8 @@ mod tests {
     use super::super::{FlightLog, LogError};
     use crate::scene::Scene;
 
+    const NOT_BESIDE: &str = "log.roll.file: expected the name of a file beside the log, without a folder";
+
     /// The program joins files; the library reads one text, and says so.
     #[test]
     fn a_column_of_another_file_is_written_and_not_read() {
@@ -248,6 +259,15 @@ mod tests {
                 "log.roll.file: expected the name of a file beside the log",
             ),
             ("roll = { col = \"r\", file = 1 }", "log.roll.file: expected the name of a file beside the log"),
+            ("roll = { col = \"r\", file = \"../a.csv\" }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = \"folder/a.csv\" }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = \"/a.csv\" }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = '\\\\host\\share\\a.csv' }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = '..\\a.csv' }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = \"C:a.csv\" }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = \"a.csv:stream\" }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = \"..\" }", NOT_BESIDE),
+            ("roll = { col = \"r\", file = \".\" }", NOT_BESIDE),
             (
                 "roll = { value = 1, file = \"a.csv\" }",
                 "log.roll: a value has no file, no part and no hemisphere",

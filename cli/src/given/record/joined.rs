@@ -2,7 +2,8 @@
 //! files are interpolated onto the times of the positions.
 
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
+use std::io;
+use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
 use sins::math::{Euler, attitude_from_euler, euler_from_attitude};
@@ -183,6 +184,32 @@ impl Other {
     }
 }
 
+/// The path of the file `name` beside the log at `path`: a plain file in the folder of the log, or in that to which a link to the log
+/// leads. The text that names it may be another's, and a message can quote what was read.
+fn beside(path: &Path, name: &str) -> Result<PathBuf, Failure> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let beside = folder.join(name);
+    let unread = |error: io::Error| Failure::of_input(&beside, &error);
+    let place = beside.canonicalize().map_err(unread)?;
+    let folders = [Path::new(".").join(folder).canonicalize(), path.canonicalize().map(in_folder)];
+    if !folders.into_iter().flatten().any(|folder| in_folder(place.clone()) == folder) {
+        return Err(Failure::of_file(
+            &beside,
+            &"is a link to another folder: expected a file beside the log",
+        ));
+    }
+    // A pipe would wait for its other end.
+    if !place.is_file() {
+        return Err(Failure::of_file(&beside, &"is no plain file: expected one beside the log"));
+    }
+    Ok(beside)
+}
+
+fn in_folder(mut place: PathBuf) -> PathBuf {
+    place.pop();
+    place
+}
+
 /// The sample at `part` of the way from `a` to `b`: angles turn the shorter way, and so does a quaternion.
 fn between(a: &FlightSample, b: &FlightSample, part: f64, has_quaternion: bool) -> FlightSample {
     let number = |a: f64, b: f64| a + part * (b - a);
@@ -269,7 +296,7 @@ impl Table {
         note(path, &log);
         let mut others = Vec::new();
         for name in &names {
-            let path = path.parent().unwrap_or(Path::new("")).join(name);
+            let path = beside(path, name)?;
             let table = read_table(&path)?;
             let (other, part) = read(&path, &table.text, name)?;
             note(&path, &other);
