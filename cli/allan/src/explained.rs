@@ -93,6 +93,11 @@ impl Estimate {
     pub fn unexplained(&self) -> Option<usize> {
         worst(&self.points, &self.fit)
     }
+
+    /// Whether coefficients with these squares explain the variances that the fit explains: a part of its terms, for example.
+    pub fn is_explained_by(&self, squares: &[f64; TERMS]) -> bool {
+        worst(&self.points, &Fit { squares: *squares, ..self.fit.clone() }).is_none()
+    }
 }
 
 fn worst(points: &[Point], fit: &Fit) -> Option<usize> {

@@ -42,25 +42,24 @@ impl Fit {
         band: Band,
         first: usize,
     ) -> Self {
+        let (squares, deviations) = weighted(taus_s, variances, covariance, band, first, ALL);
         let (taus_s, variances) = (&taus_s[first..], &variances[first..]);
-        // To begin with, the relative errors of independent pieces of the record.
-        let longest = taus_s.last().copied().unwrap_or(1.0);
-        let mut deviations: Vec<f64> = taus_s
-            .iter()
-            .zip(variances)
-            .map(|(tau, v)| v * (tau / longest).sqrt().max(LEAST_ERROR))
-            .collect();
-        let mut squares = Equations::new(taus_s, variances, &deviations, band).constrained(first > 0);
-        for _ in 0..ROUNDS {
-            for (i, deviation) in deviations.iter_mut().enumerate() {
-                let variance = covariance.variance(first + i, &noises(&squares));
-                *deviation = hypot(variance.sqrt(), LEAST_ERROR * variances[i]);
-            }
-            squares = Equations::new(taus_s, variances, &deviations, band).constrained(first > 0);
-        }
         let gains = Equations::new(taus_s, variances, &deviations, band).gains();
         let free = gains.iter().zip(variances).map(|(gain, variance)| gain * *variance).sum::<Vector>();
         Self { band, first, squares, free: free.into(), spread: spread(&gains, covariance, first) }
+    }
+
+    /// Squares of the coefficients of these terms alone, fitted to the same variances. Beyond a filter its share is fitted too.
+    pub(super) fn squares_of(
+        &self,
+        taus_s: &[f64],
+        variances: &[f64],
+        covariance: &Covariance,
+        terms: &[bool; TERMS],
+    ) -> [f64; TERMS] {
+        let bit = |(term, is_one): (usize, &bool)| usize::from(*is_one) << term;
+        let set = terms.iter().enumerate().map(bit).sum::<usize>() | usize::from(self.first > 0);
+        weighted(taus_s, variances, covariance, self.band, self.first, set).0
     }
 
     /// σ²(τ) of the fit at the averaging time `tau_s` [s].
@@ -78,6 +77,34 @@ impl Fit {
         let squares = Vector::from(self.noises());
         core::array::from_fn(|term| squares.dot(&(self.spread[term] * squares)))
     }
+}
+
+/// The set of all terms, a bit each.
+const ALL: usize = (1 << TERMS) - 1;
+
+/// Squares of the coefficients of the terms in `set`, as of [`Fit::new`], and the deviations of the variances that weighted them.
+fn weighted(
+    taus_s: &[f64],
+    variances: &[f64],
+    covariance: &Covariance,
+    band: Band,
+    first: usize,
+    set: usize,
+) -> ([f64; TERMS], Vec<f64>) {
+    let (taus_s, variances) = (&taus_s[first..], &variances[first..]);
+    // To begin with, the relative errors of independent pieces of the record.
+    let longest = taus_s.last().copied().unwrap_or(1.0);
+    let mut deviations: Vec<f64> =
+        taus_s.iter().zip(variances).map(|(tau, v)| v * (tau / longest).sqrt().max(LEAST_ERROR)).collect();
+    let mut squares = Equations::new(taus_s, variances, &deviations, band).constrained(first > 0, set);
+    for _ in 0..ROUNDS {
+        for (i, deviation) in deviations.iter_mut().enumerate() {
+            let variance = covariance.variance(first + i, &noises(&squares));
+            *deviation = hypot(variance.sqrt(), LEAST_ERROR * variances[i]);
+        }
+        squares = Equations::new(taus_s, variances, &deviations, band).constrained(first > 0, set);
+    }
+    (squares, deviations)
 }
 
 fn noises(squares: &[f64; TERMS]) -> [f64; TERMS] {
@@ -121,10 +148,11 @@ impl Equations {
         Self { rows, scale, normal, right, deviations: deviations.to_vec() }
     }
 
-    /// The solution with the least squares among the solutions with the 31 sets of terms that have no negative coefficient, except
-    /// that of quantization if `is_filtered`.
-    fn constrained(&self, is_filtered: bool) -> [f64; TERMS] {
-        let candidates = (1..1_usize << TERMS).filter_map(|set| self.solved(set));
+    /// The solution with the least squares among the solutions with terms of the set `most` (of all: 31) that have no negative coefficient,
+    /// except that of quantization if `is_filtered`.
+    fn constrained(&self, is_filtered: bool, most: usize) -> [f64; TERMS] {
+        let sets = (1..=ALL).filter(|set| set & !most == 0);
+        let candidates = sets.filter_map(|set| self.solved(set));
         // The sum of squared residuals is the sum without any term, less the inner product with the right side.
         let best = candidates
             .filter(|x| x.iter().skip(usize::from(is_filtered)).all(|square| *square >= 0.0))

@@ -146,6 +146,13 @@ impl Estimator {
         Ok(self.explained(&variances))
     }
 
+    /// Squares of the coefficients of these terms alone, fitted to the variances that the fit of `estimate` uses, with its flicker noise.
+    pub fn squares_of(&self, estimate: &Estimate, terms: &[bool; TERMS]) -> [f64; TERMS] {
+        let variances: Vec<f64> = estimate.points.iter().map(|point| point.variance).collect();
+        let covariance = self.covariance(estimate.fit.band);
+        estimate.fit.squares_of(&self.taus_s, &variances, covariance, terms)
+    }
+
     fn covariance(&self, band: Band) -> &Covariance {
         let limited = || Covariance::new(&self.pieces, self.interval_s, &self.factors, band);
         match band {

@@ -1,6 +1,6 @@
 //! Results of one column: deviations, coefficients, and whether the coefficients explain the deviations.
 
-use sins_allan::{Estimator, Filter, Fit, Interval, Point, TERMS, Term};
+use sins_allan::{Estimate, Estimator, Filter, Fit, Interval, Point, TERMS, Term};
 
 use super::log::{Log, Series};
 use super::quantity::Sensor;
@@ -14,9 +14,12 @@ use crate::units::significant;
 /// Confidence of all intervals.
 pub const CONFIDENCE: f64 = 0.95;
 
+/// Confidence at which a term is written into a scene: chance alone shows one of a few terms of a few axes much more often than one alone.
+pub const CERTAINTY: f64 = 0.997;
+
 /// A deviation [rad/s] or [m/s²].
 #[derive(Debug, Clone, Copy)]
-pub struct Estimate {
+pub struct Deviation {
     pub tau_s: f64,
     pub deviation: f64,
     pub interval: Interval,
@@ -34,6 +37,9 @@ pub struct Coefficient {
     /// Its interval; `None`: the fit does not explain the curve, so no interval would hold. Without an upper end: the record does not show
     /// the coefficient.
     pub interval: Option<Interval>,
+    /// What a scene with the noise of the record has of it, in a fit of the terms that the record shows at [`CERTAINTY`]; `None`: it is not
+    /// one of them.
+    pub written: Option<f64>,
 }
 
 impl Coefficient {
@@ -56,7 +62,7 @@ pub struct Analysis {
     pub sensor: Sensor,
     /// Place of the column among those of its sensor, and how many there are.
     pub axis: (usize, usize),
-    pub estimates: Vec<Estimate>,
+    pub estimates: Vec<Deviation>,
     pub coefficients: [Coefficient; TERMS],
     pub fit: Fit,
     /// The first averaging time of the fit [s], if shorter ones are left out.
@@ -114,11 +120,13 @@ impl Analysis {
         let coefficients = Term::ALL.map(|term| {
             if term == Term::Quantization && from > 0 {
                 let interval = Some(Interval { low: 0.0, high: f64::INFINITY });
-                return Coefficient { term, value: 0.0, interval };
+                return Coefficient { term, value: 0.0, interval, written: None };
             }
             let interval = is_explained.then(|| root(found.interval(term, CONFIDENCE)));
-            Coefficient { term, value: found.fit.squares[term as usize].max(0.0).sqrt(), interval }
+            let value = found.fit.squares[term as usize].max(0.0).sqrt();
+            Coefficient { term, value, interval, written: None }
         });
+        let coefficients = with_written(coefficients, estimator, &found);
         Ok(Self {
             name: series.name.clone(),
             sensor: series.sensor,
@@ -136,9 +144,29 @@ impl Analysis {
     }
 
     /// Among the deviations that the fit does not explain, the one with the largest ratio to it.
-    pub fn unexplained(&self) -> Option<&Estimate> {
+    pub fn unexplained(&self) -> Option<&Deviation> {
         self.missed.map(|place| &self.estimates[place])
     }
+}
+
+/// Terms that are alike at an end of the curve hide each other: if those that are certain do not explain the deviations alone, all that are
+/// resolved are written.
+fn with_written(
+    mut coefficients: [Coefficient; TERMS],
+    estimator: &Estimator,
+    found: &Estimate,
+) -> [Coefficient; TERMS] {
+    let is_certain = |one: &Coefficient| found.interval(one.term, CERTAINTY).low > 0.0;
+    let terms = coefficients.map(|one| one.is_resolved() && is_certain(&one));
+    let squares = estimator.squares_of(found, &terms);
+    let is_explained = found.is_explained_by(&squares);
+    for (one, square) in coefficients.iter_mut().zip(squares) {
+        one.written = match is_explained {
+            true => Some(square).filter(|square| *square > 0.0 && terms[one.term as usize]).map(f64::sqrt),
+            false => Some(one.value).filter(|_| one.is_resolved()),
+        };
+    }
+    coefficients
 }
 
 /// The largest range of normal numbers over their standard deviation, of as many as a record of a year has seconds.
@@ -170,8 +198,8 @@ fn at_rest(series: &Series, interval_s: f64) -> Result<(), Failure> {
     )))
 }
 
-fn estimate(point: &Point, fit: &Fit) -> Estimate {
-    Estimate {
+fn estimate(point: &Point, fit: &Fit) -> Deviation {
+    Deviation {
         tau_s: point.tau_s,
         deviation: point.variance.sqrt(),
         interval: root(point.interval(CONFIDENCE)),
@@ -194,10 +222,16 @@ pub mod tests {
         made_of(1, count, sinusoid)
     }
 
-    fn made_of(seed: u64, count: usize, sinusoid: f64) -> Log {
+    pub fn made_of(seed: u64, count: usize, sinusoid: f64) -> Log {
         let mut draws = Draws::new(seed);
-        let increments =
-            (0..count).map(|k| 1e-6 * (draws.nearly_normal() + sinusoid * (k as f64 / 30.0).sin())).collect();
+        logged(
+            (0..count).map(|k| 1e-6 * (draws.nearly_normal() + sinusoid * (k as f64 / 30.0).sin())).collect(),
+        )
+    }
+
+    /// A log of one column.
+    pub fn logged(increments: Vec<f64>) -> Log {
+        let count = increments.len();
         let series = vec![Series { name: "w<x>_rad".into(), sensor: Sensor::Gyro, increments }];
         let (pieces, remarks) = (vec![count], Vec::new());
         Log {

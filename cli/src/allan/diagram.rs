@@ -2,7 +2,7 @@
 
 use sins_allan::Term;
 
-use super::analysis::{Analysis, Coefficient, Estimate};
+use super::analysis::{Analysis, Coefficient, Deviation};
 use super::sheet;
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Legend;
@@ -82,7 +82,7 @@ pub fn drawing(analysis: &Analysis) -> Drawing {
 }
 
 /// Logarithms of averaging time and of `value` in the unit of the axis.
-fn curve(analysis: &Analysis, value: impl Fn(&Estimate) -> f64) -> Points {
+fn curve(analysis: &Analysis, value: impl Fn(&Deviation) -> f64) -> Points {
     let unit = sheet::deviation(analysis.sensor);
     analysis.estimates.iter().map(|e| (e.tau_s.log10(), (value(e) / unit.si).log10())).collect()
 }

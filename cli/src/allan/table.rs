@@ -150,10 +150,15 @@ mod tests {
         use sins_allan::Interval;
         let text = |value: f64, low: f64, high: f64| {
             let interval = Interval { low, high };
-            on_sheet_unit(&Coefficient { term: Term::Flicker, value, interval: Some(interval) })
+            on_sheet_unit(&Coefficient {
+                term: Term::Flicker,
+                value,
+                interval: Some(interval),
+                written: None,
+            })
         };
         assert_eq!(text(0.0, 0.0, f64::INFINITY), "not shown by this record");
-        let without = Coefficient { term: Term::Flicker, value: 2.0, interval: None };
+        let without = Coefficient { term: Term::Flicker, value: 2.0, interval: None, written: None };
         assert_eq!(on_sheet_unit(&without), "2.000 u, without an interval");
         assert_eq!(text(2.0, 1.0, 3.0), "2.000 (1.000 to 3.000) u");
         assert_eq!(text(2.0, 0.0, 2.0), "not shown by this record");
