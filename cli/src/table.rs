@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord};
 use sins::scene::listed;
-use sins::scene::log::Clock;
+use sins::scene::log::{Clock, MAX_COLUMNS};
 
 use crate::failure::Failure;
 use crate::lines::{Lines, Numbers};
@@ -49,6 +49,10 @@ impl Table {
         // Flexible, so that a row of the wrong length is reported by a sentence of this program with the expected number.
         let mut reader = ReaderBuilder::new().flexible(true).from_reader(Lines::new(input));
         let header = reader.headers().map_err(|error| Failure::of_file(path, &error))?;
+        if header.len() > MAX_COLUMNS {
+            let what = format!("{} columns: a table has at most {MAX_COLUMNS}", header.len());
+            return Err(Failure::of_line(path, 1, &what));
+        }
         let names: Vec<String> =
             header.iter().map(|name| name.trim_start_matches('\u{feff}').trim().to_owned()).collect();
         let (chosen, mut clock) = choose(&names)?;
@@ -160,6 +164,14 @@ mod tests {
         let mut table = Table::read_some(Path::new("log.csv"), text.as_bytes(), choose).unwrap();
         assert_eq!((table.rows(), table.line(0), table.line(1)), (2, 3, 4));
         assert_eq!((table.take("t").unwrap(), table.take("x").unwrap()), (vec![0.0, 1.0], vec![1.0, 2.0]));
+    }
+
+    #[test]
+    fn too_many_columns_are_reported() {
+        let header = |count: usize| vec!["a"; count].join(",") + "\n";
+        let expected = "run.csv:1: 1001 columns: a table has at most 1000";
+        assert_eq!(read(&header(1001)).err().as_deref(), Some(expected));
+        assert!(read(&header(1000)).is_ok());
     }
 
     #[test]

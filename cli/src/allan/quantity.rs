@@ -79,7 +79,15 @@ pub fn stamps(names: &[String], wanted: &[Wanted]) -> Option<(String, Stamp)> {
         names.contains(&name).then_some((name, *stamp))
     };
     let chosen = wanted.iter().find_map(|wanted| Some((wanted.name.clone(), stamp(wanted)?)));
-    chosen.or_else(|| STAMPS[..4].iter().find_map(own))
+    chosen.or_else(|| OF_NAMES.iter().find_map(own))
+}
+
+/// Units of time that the end of a name can have.
+const OF_NAMES: &[(&str, Stamp)] = STAMPS.split_at(4).0;
+
+/// Whether a column of this name has the times of the rows.
+fn is_time(name: &str) -> bool {
+    OF_NAMES.iter().any(|(unit, _)| name.strip_prefix("time_") == Some(unit))
 }
 
 fn stamp(wanted: &Wanted) -> Option<Stamp> {
@@ -108,6 +116,11 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
         }
         if wanted_before(place, name) {
             return Err(Failure::new(format!("--columns: \"{name}\" stands there twice")));
+        }
+        if is_time(name) && stamp(wanted).is_none() && wanted.unit.is_some() {
+            return Err(Failure::new(format!(
+                "--columns: \"{name}\" has the times of the rows, which are no output of a sensor; rename it if it has others"
+            )));
         }
     }
     if let Some(name) =
@@ -210,6 +223,10 @@ mod tests {
         assert_eq!(stamps(&header, &iso), Some(("t".into(), Stamp::Clock(TimeFormat::Iso))));
         assert_eq!(stamps(&header, &[]), Some(("time_ms".into(), Stamp::Number(1e-3))));
         assert_eq!(choose(&header, &iso).unwrap()[0].0, "wx_deg_s");
+        for time in ["time_s", "time_ms", "time_us", "time_ns"] {
+            let errors = chosen(&format!("{time},wx"), &[(time, Some("rad_s"))]).unwrap_err();
+            assert!(errors.contains(&format!("\"{time}\" has the times of the rows")), "{errors}");
+        }
         assert!(chosen("a_g,b_g,c_g,d_g,e_g,f_g,h_g", &[]).unwrap_err().contains("found 7"));
     }
 }

@@ -38,11 +38,14 @@ const BESIDE: [&str; 3] = ["_summary.csv", "_unit.csv", "_rows.csv"];
 
 pub use spectrum::SCHULER_S;
 
+/// Largest number of runs on a page: each has its curves there, and its records in memory while it is drawn.
+const MOST_RUNS: usize = 100;
+
 /// Draws recorded runs on one self-contained page (sins_out/report.html)
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Records that `sins fly` wrote, each with its RUN_summary.csv in the same folder. Arguments that end in _summary.csv,
-    /// _unit.csv or _rows.csv are ignored: *.csv means all runs of a folder
+    /// _unit.csv or _rows.csv are ignored: *.csv means all runs of a folder, at most 100
     #[arg(required = true, value_name = "RUN.csv")]
     runs: Vec<PathBuf>,
     /// The page [default: sins_out/report.html]
@@ -64,6 +67,12 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         return Err(Failure::new(
             "expected at least one RUN.csv; found only files that end in _summary.csv, _unit.csv or _rows.csv",
         ));
+    }
+    if paths.len() > MOST_RUNS {
+        return Err(Failure::new(format!(
+            "{} runs: a page has at most {MOST_RUNS}; `sins ensemble` flies many runs, and draws their statistics",
+            paths.len()
+        )));
     }
     let inputs: Vec<PathBuf> =
         paths.iter().flat_map(|path| [(*path).clone(), run::summary_path(path)]).collect();

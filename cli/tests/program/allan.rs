@@ -331,3 +331,27 @@ fn axes_keep_their_places() {
     let (code, _, errors) = run(&folder, &["allan", "dead.csv", "--rate", "100", "--write", "dead.toml"]);
     assert!(code == 2 && errors.contains("--force"), "{errors}");
 }
+
+/// A column of times is no signal, whatever unit it is given; and a table has a limit of columns, before any work on them.
+#[test]
+fn times_and_too_many_columns_are_rejected() {
+    let folder = folder("columns");
+    save(&folder.join("white.csv"), noise(100, 0.66, |_| 0.0).into_iter());
+    let rows: String =
+        (0..100).map(|k| format!("{},{},{}\n", f64::from(k) / 100.0, k % 7, 10_000 * k)).collect();
+    std::fs::write(folder.join("imu.csv"), format!("time_s,gyro_x_deg_s,time_us\n{rows}")).unwrap();
+    for columns in ["time_s:rad_s", "time_s=deg", "gyro_x_deg_s,time_s=m_s2", "time_us=rad_s,gyro_x_deg_s"] {
+        for more in [&[][..], &["--rate", "100"], &["--still"]] {
+            let errors = rejected(&folder, &[&["allan", "imu.csv", "--columns", columns], more].concat());
+            assert!(
+                errors.contains("has the times of the rows, which are no output of a sensor"),
+                "{errors}"
+            );
+        }
+    }
+    done(&folder, &["allan", "imu.csv", "--columns", "time_s=s", "--still"]);
+    let names: Vec<String> = (0..1_000_000).map(|place| format!("w{place}_deg_s")).collect();
+    std::fs::write(folder.join("wide.csv"), names.join(",") + "\n").unwrap();
+    let errors = rejected(&folder, &["allan", "wide.csv", "--rate", "100"]);
+    assert!(errors.contains("wide.csv:1: 1000000 columns: a table has at most 1000"), "{errors}");
+}

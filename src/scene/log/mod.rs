@@ -40,7 +40,7 @@ pub use survey::{Survey, survey};
 pub use text::decoded;
 
 /// Largest number of columns of a log, and of bytes of a line.
-const MAX_COLUMNS: usize = 1000;
+pub const MAX_COLUMNS: usize = 1000;
 const MAX_LINE: usize = 1 << 16;
 
 /// A flight log in memory.
