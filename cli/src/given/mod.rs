@@ -9,6 +9,7 @@ mod log;
 mod record;
 mod settings;
 mod text;
+mod title;
 mod whole;
 mod words;
 
@@ -93,6 +94,7 @@ impl Given {
             },
         };
         let mut scene = text.parse(settings)?;
+        let titled = text.titled(settings);
         let mut inputs: Vec<PathBuf> = text.path.iter().cloned().collect();
         let mut name = text.name.clone();
         if let Some(log) = log {
@@ -131,8 +133,8 @@ impl Given {
             }
             _ => scene.samples(None)?,
         };
+        let title = title::title(&scene, titled.as_ref(), &source, &samples);
         let Samples { count, start_s, period_s, duration_s } = samples;
-        let title = title(&scene, &source);
         let mut given = Self {
             scene,
             name,
@@ -313,24 +315,13 @@ impl Given {
     }
 }
 
-/// Reads the scene called `name` (built in or a file), without its flight.
+/// Reads the scene called `name` (built in or a file), without its flight. Its title is left out if the settings replace what it says.
 pub fn read_scene(name: &OsStr, settings: &Settings) -> Result<Scene, Failure> {
-    Text::find(name)?.parse(settings)
-}
-
-/// Title of the scene: its own title, otherwise a title made from its flight.
-fn title(scene: &Scene, source: &Source) -> String {
-    let own = scene.title.clone();
-    match (source, &scene.flight) {
-        _ if !own.is_empty() => own,
-        (Source::Log(log), _) if log.title.is_empty() => "recorded flight".to_owned(),
-        (Source::Log(log), _) => log.title.clone(),
-        (_, FlightSource::Builtin(name)) => {
-            sins::scene::builtin(name).map_or_else(String::new, |scene| scene.title)
-        }
-        (_, FlightSource::Path(path)) => {
-            format!("Flight of {} manoeuvres", path.manoeuvres.len() * path.repeat)
-        }
-        (_, FlightSource::Log(_)) => String::new(),
+    let text = Text::find(name)?;
+    let mut scene = text.parse(settings)?;
+    let has_title = |own: &Scene| title::holds(&scene, own) && own.duration_s == scene.duration_s;
+    if !text.titled(settings).as_ref().is_none_or(has_title) {
+        scene.title.clear();
     }
+    Ok(scene)
 }

@@ -63,6 +63,13 @@ impl Text {
         Ok(scene)
     }
 
+    /// The scene of the text alone, of which its title speaks; `None`: the settings replace nothing in it, or the title itself.
+    pub fn titled(&self, settings: &Settings) -> Option<Scene> {
+        let is_changed =
+            settings.pairs().is_ok_and(|pairs| !pairs.is_empty()) && !settings.has("flight.title");
+        is_changed.then(|| Scene::parse(&self.bytes).ok()).flatten()
+    }
+
     fn failure(&self, faults: &[Fault], settings: &Settings) -> Failure {
         let sentence = |fault: &Fault| match fault {
             Fault { line: 0, column, sentence, .. } => {
@@ -70,7 +77,21 @@ impl Text {
             }
             Fault { line, column, sentence, .. } => format!("{}:{line}:{column}: {sentence}", self.origin),
         };
-        let mut failures: Vec<Failure> = faults.iter().map(|fault| Failure::new(sentence(fault))).collect();
+        // --preset sets several keys: what is wrong with its word is one fault.
+        let mut failures: Vec<Failure> = Vec::new();
+        let mut said = Vec::new();
+        for fault in faults {
+            // --preset sets several keys: what is wrong with its word is one fault.
+            if fault.line == 0 {
+                let about = fault.sentence.split_once(": ").map(|(_, about)| about);
+                let one = (settings.argument(fault.column), about);
+                if said.contains(&one) {
+                    continue;
+                }
+                said.push(one);
+            }
+            failures.push(Failure::new(sentence(fault)));
+        }
         let has_ending = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
         if let Some(path) = self.path.as_ref().filter(|path| !has_ending(path)) {
             let what = match foreign(&self.bytes) {

@@ -46,6 +46,7 @@ mod tests {
         let mut run = made(3000, |_, t| (t / 806.0).sin());
         assert!(!picture(&run).unwrap().contains("of the paper"));
         run.summary.rows.push(Row::made("scene", "simulation2 (built in)", ""));
+        run.summary.rows.push(Row::made("scene_text", "The paper's simulation 2", ""));
         let svg = picture(&run).unwrap();
         assert!(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\"") && svg.ends_with("</svg>\n"));
         assert!(svg.contains("figure 4 of the paper") && svg.contains("figure 5 of the paper"));

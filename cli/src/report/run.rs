@@ -146,7 +146,9 @@ impl Run {
     /// Whether it is one of the paper's two simulations, whose figures the paper has.
     pub fn is_of_paper(&self) -> bool {
         let scene = self.summary.value("scene").unwrap_or_default();
-        ["simulation1", "simulation2"].iter().any(|name| scene.strip_suffix(" (built in)") == Some(name))
+        let is_built_in = |name: &&str| scene.strip_suffix(" (built in)") == Some(name);
+        // Its title is that of another flight if the settings have replaced what it says.
+        ["simulation1", "simulation2"].iter().any(is_built_in) && self.title().contains("paper's simulation")
     }
 
     /// First and last time at which navigation or truth was near a pole [s].

@@ -207,8 +207,10 @@ fn scenes_are_listed_checked_and_written() {
     let text = done(&folder, &["scene", "write", "simulation2", "--set", "flight.hours=0.05"]);
     std::fs::write(folder.join("own.toml"), &text).unwrap();
     let said = done(&folder, &["scene", "check", "own.toml"]);
+    // The title of 48 hours is not that of 3 minutes.
     assert!(
-        said.starts_with("own.toml: The paper's simulation 2") && said.contains("3 min at 100 Hz"),
+        said.starts_with("own.toml: The first 3 min of \"Closed figure-eights")
+            && said.contains("3 min at 100 Hz"),
         "{said}"
     );
     done(&folder, &["fly", "own.toml", "-q"]);

@@ -92,3 +92,67 @@ fn the_foot_of_a_page_says_how_it_was_written() {
     assert!(foot.contains(&line), "{foot}");
     assert!(foot.contains(std::env::consts::ARCH) && foot.contains(" thread"), "{foot}");
 }
+
+/// The first words of a page are true: a title that speaks of what a setting has replaced is not said.
+#[test]
+fn a_title_is_that_of_what_is_flown() {
+    let folder = folder("titles");
+    let own = "[flight]\ntitle = \"A hop in the north by a tactical INS\"\nlatitude_deg = 70\nspeed_m_s = 100\n[[manoeuvre]]\n\
+        kind = \"straight\"\nduration_s = 60\n[gyro]\npreset = \"tactical\"\n[[failure]]\nsensor = \"gyro\"\nkind = \"stuck\"\n\
+        axis = \"x\"\nfrom_s = 30\n";
+    std::fs::write(folder.join("own.toml"), own).unwrap();
+    let log: String = (0..=60).map(|t| format!("{t},0.7,2.0,50,0,0,1\n")).collect();
+    let header = "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n";
+    std::fs::write(folder.join("parked.csv"), format!("{header}{log}")).unwrap();
+    let hop = "A hop in the north by a tactical INS";
+    let (paper, parked) = ("The paper's simulation 2: a patrol", "At rest, level, heading north");
+    for (scene, set, title) in [
+        ("own.toml", &[][..], hop),
+        ("own.toml", &["--set", "options.seed=7", "--set", "flight.rate_hz=50"], hop),
+        ("own.toml", &["--set", "flight.latitude_deg=70", "--set", "flight.hours=0.016666666666666666"], hop),
+        ("own.toml", &["--set", "flight.hours=0.01"], "The first 36 s of \"A hop in the north"),
+        ("own.toml", &["--set", "flight.title=Another"], "Another"),
+        ("own.toml", &["--set", "flight.latitude_deg=10"], "Flight of 1 manoeuvre"),
+        ("own.toml", &["--set", "manoeuvre[0].duration_s=50"], "Flight of 1 manoeuvre"),
+        ("own.toml", &["--set", "gyro.bias_deg_h=0.5"], "Flight of 1 manoeuvre"),
+        ("own.toml", &["--preset", "navigation"], "Flight of 1 manoeuvre"),
+        ("own.toml", &["--set", "failure[0].axis=y"], "Flight of 1 manoeuvre"),
+        ("simulation2", &["--set", "flight.builtin=rest", "--set", "flight.hours=1"], parked),
+        (
+            "simulation2",
+            &["--set", "flight.hours=0.02"],
+            "The first 72 s of \"The paper's simulation 2: a patrol",
+        ),
+        ("simulation2", &["--preset", "paper2", "--set", "flight.rate_hz=1"], paper),
+        (
+            "simulation2",
+            &["--preset", "tactical", "--set", "flight.hours=0.02"],
+            "The first 72 s of \"Closed figure-eights",
+        ),
+        (
+            "patrol",
+            &["--set", "flight.hours=1.5"],
+            "\"Closed figure-eights at 8000 m and 200 m/s\", flown for 90 min",
+        ),
+    ] {
+        let said = done(&folder, &[&["scene", "check", scene], set].concat());
+        let (_, words) = said.split_once(": ").unwrap();
+        assert!(words.starts_with(title), "{scene} {set:?}: {said}");
+    }
+    // The page of such a run, and of a log in the place of a flight.
+    let parking = ["flight.builtin=rest", "flight.hours=1"];
+    let parked = page("parked", "simulation2", &parking);
+    assert!(parked.contains("<h1>At rest, level, heading north</h1>"));
+    assert!(!parked.contains("a patrol") && !parked.contains("of the paper"));
+    done(&folder, &["fly", "own.toml", "--log", "parked.csv", "-q"]);
+    assert!(read(folder.join("sins_out/parked_summary.csv")).contains("scene_text,recorded flight,"));
+    // A scene that is written keeps a title as long as it is true.
+    let kept = |set: &[&str]| {
+        done(&folder, &[&["scene", "write", "simulation2"], set].concat()).contains("a patrol of 48 hours")
+    };
+    assert!(
+        kept(&["--set", "options.seed=3"])
+            && !kept(&["--set", "flight.hours=1"])
+            && !kept(&["--preset", "tactical"])
+    );
+}
