@@ -7,7 +7,7 @@ use super::draft::Draft;
 use super::key::{Key, Target};
 use super::limits::{Limits, limits};
 use super::log::LogColumn;
-use super::names::excerpt;
+use super::names::{excerpt, nearest};
 use super::nesting::too_deep;
 use super::written::number_text;
 use crate::base::error::{Error, Rule};
@@ -159,7 +159,14 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
                 Value::Text(text) => words.iter().position(|word| word == text),
                 _ => None,
             };
-            let Some(index) = found else { return Err(refused(words.join(", "))) };
+            let Some(index) = found else {
+                let near = match value {
+                    Value::Text(text) => nearest(text, words.iter().copied()),
+                    _ => None,
+                };
+                let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+                return Err(refused(words.join(", ") + &near));
+            };
             set(draft, index);
         }
         Target::Count { set, .. } => {

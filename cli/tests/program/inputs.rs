@@ -294,3 +294,38 @@ fn gaps_of_a_log_are_said() {
     );
     assert!(!done(&folder, &["fly", "rest", "--set", "flight.hours=0.01"]).contains("gaps"));
 }
+
+/// A page has the curves of each run.
+#[test]
+fn a_page_has_a_limit_of_runs() {
+    let folder = folder("many_runs");
+    let names: Vec<String> = (0..101).map(|run| format!("run_{run}.csv")).collect();
+    let arguments: Vec<&str> = ["report"].into_iter().chain(names.iter().map(String::as_str)).collect();
+    let errors = rejected(&folder, &arguments);
+    assert!(
+        errors.starts_with("101 runs: a page has at most 100; `sins ensemble` flies many runs"),
+        "{errors}"
+    );
+    // Of 100, the first that is not there is named.
+    assert!(rejected(&folder, &arguments[..101]).contains("run_0_summary.csv"));
+}
+
+/// A word that is misspelt is one fault, with the word that was meant.
+#[test]
+fn a_misspelt_preset_is_one_fault() {
+    let folder = folder("misspelt");
+    for command in [&["fly"][..], &["ensemble"], &["scene", "check"], &["budget"], &["scene", "write"]] {
+        for (word, meant) in [("navigatoin", "navigation"), ("tact", "tactical"), ("stratgeic", "strategic")]
+        {
+            let errors = rejected(&folder, &[command, &["patrol", "--preset", word]].concat());
+            assert_eq!(errors.matches("expected").count(), 1, "{errors}");
+            assert!(errors.contains(&format!("consumer, paper2; did you mean {meant}?")), "{errors}");
+        }
+        // Another fault is another sentence, and a word that is near none has none.
+        let both =
+            ["patrol", "--preset", "good", "--set", "gyro.preset=idael", "--set", "options.scheme=exakt"];
+        let errors = rejected(&folder, &[command, &both].concat());
+        assert_eq!(errors.matches("expected").count(), 3, "{errors}");
+        assert_eq!(errors.matches("did you mean").count(), 2, "{errors}");
+    }
+}
