@@ -316,6 +316,35 @@ fn a_gpx_track_is_read() {
     }
 }
 
+/// A B record that is cut at any place, in the middle or at the end, is left out, and is said; a file of cut records is rejected.
+#[test]
+fn a_cut_record_is_left_out() {
+    let folder = folder("cut");
+    let whole = igc(&thermal(1, 240));
+    let lines: Vec<&str> = whole.split_inclusive('\n').collect();
+    let rows_of = |said: &str| {
+        said.split(" rows over").next().and_then(|text| text.rsplit(' ').next()?.parse::<usize>().ok())
+    };
+    let rows = lines.iter().filter(|line| line.starts_with('B')).count();
+    for at in [10, 100, lines.len() - 1] {
+        for length in [1, 9, 20, 24, 34] {
+            let mut cut = lines.clone();
+            let short = format!("{}\r\n", &lines[at][..length]);
+            // The last record ends with the file.
+            cut[at] = if at + 1 == lines.len() { &lines[at][..length] } else { &short };
+            std::fs::write(folder.join("flight.igc"), cut.concat()).unwrap();
+            let said = done(&folder, &["log", "flight.igc"]);
+            assert!(said.contains(&format!("left out: 1 cut before its end (line {})", at + 1)), "{said}");
+            assert_eq!(rows_of(&said), Some(rows - 1), "{said}");
+        }
+    }
+    let all: String =
+        lines.iter().map(|line| line[..line.len().min(30)].trim_end().to_owned() + "\n").collect();
+    std::fs::write(folder.join("all.igc"), all).unwrap();
+    let errors = rejected(&folder, &["log", "all.igc"]);
+    assert!(errors.contains("all.igc:4: B record: expected at least 35 characters, found 30"), "{errors}");
+}
+
 /// A broken record is answered with its line, what was expected, and what stands there.
 #[test]
 fn broken_records_are_rejected() {

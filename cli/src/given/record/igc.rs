@@ -59,6 +59,7 @@ struct Fix {
 pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
     let mut clock = Clock::new(&LogMapping { time_format: TimeFormat::Hms, ..LogMapping::default() });
     let (mut fixes, mut without_position, mut digits) = (Vec::new(), 0, Digits::default());
+    let mut cut: Vec<(u64, String)> = Vec::new();
     let mut gnss_above = "above the ellipsoid";
     for (bytes, line) in record.split(|byte| *byte == b'\n').zip(1..) {
         let record = String::from_utf8_lossy(bytes);
@@ -72,11 +73,23 @@ pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
         if !record.starts_with('B') {
             continue;
         }
-        match fix(&record, line, &digits, &mut clock) {
+        let record = record.trim_end_matches('\r');
+        if record.len() < GNSS.end {
+            let (least, found) = (GNSS.end, record.len());
+            cut.push((line, format!("B record: expected at least {least} characters, found {found}")));
+            continue;
+        }
+        match fix(record, line, &digits, &mut clock) {
             Ok(Some(fix)) => fixes.push(fix),
             Ok(None) => without_position += 1,
             Err(sentence) => return Err((line, format!("B record: {sentence}"))),
         }
+    }
+    // One that the logger has not written to its end is lost; if most are so, the file is another.
+    let first_cut = cut.first().map_or(0, |(line, _)| *line);
+    let count_cut = cut.len() as u64;
+    if let Some(first) = cut.into_iter().next().filter(|_| count_cut as usize >= fixes.len().max(1)) {
+        return Err(first);
     }
     if fixes.is_empty() {
         let what = "no fix: expected B records with the validity A, found";
@@ -102,17 +115,17 @@ pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
             "heights of GNSS, {gnss_above}; {some} of them are 0 or missing: there the change of the pressure altitude continues them"
         ),
     };
-    let left_out = left_out(&[(without_position, "without a position (V)")]);
+    let of_cut = match count_cut {
+        1 => format!("cut before its end (line {first_cut})"),
+        _ => format!("cut before their ends (the first: line {first_cut})"),
+    };
+    let left_out = left_out(&[(without_position, "without a position (V)"), (count_cut, &of_cut)]);
     let note = format!("IGC record, {} fixes {}: {heights}{left_out}", rows.count, rows.spacing());
     Ok((rows, note))
 }
 
-/// The fix of a B record; `None`: its validity is V.
+/// The fix of a B record with all its columns; `None`: its validity is V.
 fn fix(record: &str, line: u64, digits: &Digits, clock: &mut Clock) -> Result<Option<Fix>, String> {
-    let record = record.trim_end_matches('\r');
-    if record.len() < GNSS.end {
-        return Err(format!("expected at least {} characters, found {}", GNSS.end, record.len()));
-    }
     let field = |name: &str, columns: Range<usize>, expected: &str| {
         let text = record.get(columns).unwrap_or(record);
         (text, format!("{name}: expected {expected}, found \"{}\"", excerpt(text)))
