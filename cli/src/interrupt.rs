@@ -1,5 +1,6 @@
-//! Ctrl-C, SIGTERM and SIGHUP: no temporary file stays behind.
+//! Ctrl-C, SIGTERM and SIGHUP, and SIGXFSZ: no temporary file stays behind.
 //!
+//! SIGXFSZ, of a file that reaches the limit of its size (`ulimit -f`), is blocked: the write fails, as on a full disk.
 //! The first signal asks a [`graceful`] command to end with complete files. A second signal, or a signal to any other command, ends
 //! the program at once. Signals within [`AT_ONCE`] are one: when a terminal is closed, the system and the shell send one each.
 
@@ -22,8 +23,16 @@ const AT_ONCE: Duration = Duration::from_secs(1);
 
 /// Catches the signals from now on.
 pub fn catch() -> Result<(), Failure> {
-    let failed = |error| Failure::of_kind(Kind::Failed, format!("signals cannot be handled: {error}"));
-    ctrlc::set_handler(on_signal).map_err(failed)
+    let failed = |error: &dyn std::fmt::Display| {
+        Failure::of_kind(Kind::Failed, format!("signals cannot be handled: {error}"))
+    };
+    // Threads that are made later block what this one blocks.
+    #[cfg(unix)]
+    {
+        use nix::sys::signal::{SigSet, Signal};
+        SigSet::from(Signal::SIGXFSZ).thread_block().map_err(|error| failed(&error))?;
+    }
+    ctrlc::set_handler(on_signal).map_err(|error| failed(&error))
 }
 
 fn on_signal() {
