@@ -16,6 +16,9 @@ use crate::units::six_digits;
 /// Smallest number of samples for a rate of growth: one sample defines no slope.
 const LEAST_SAMPLES: u64 = 2;
 
+/// Largest speed of the first sample of a vehicle at rest, which positions of a receiver show too [m/s].
+const AT_REST_M_S: f64 = 0.5;
+
 /// All figures of the summary file and of the terminal.
 pub struct Figures<'a> {
     pub given: &'a Given,
@@ -96,8 +99,16 @@ impl<'a> Figures<'a> {
         }
     }
 
-    /// How the start came about.
+    /// How the start came about. An alignment of a simulator is one at rest, wherever the flight begins.
     pub fn start(&self) -> String {
+        let speed_m_s = self.flown.speed_at_start_m_s;
+        let aligned = match speed_m_s > AT_REST_M_S {
+            true => format!(
+                "aligned as at rest (the flight begins in motion, at {} m/s)",
+                six_digits((10.0 * speed_m_s).round() / 10.0)
+            ),
+            false => "aligned at rest".to_owned(),
+        };
         match self.scene().unit.start {
             Some(Mode::Off) => "those that the alignment of the unit leaves".to_owned(),
             _ => {
@@ -105,7 +116,7 @@ impl<'a> Figures<'a> {
                 let is_set =
                     |is: fn(&str) -> bool| set.iter().any(|key| key.section == "start" && is(key.name));
                 let ways = [
-                    ("aligned at rest", is_set(|name| name == "alignment")),
+                    (aligned.as_str(), is_set(|name| name == "alignment")),
                     ("drawn", is_set(|name| name.contains("_sigma_"))),
                     ("given", is_set(|name| !name.contains("_sigma_") && !name.starts_with("alignment"))),
                 ];

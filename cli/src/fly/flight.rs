@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use sins::earth::Earth;
 use sins::errors::AccuracyFigures;
 use sins::records;
 use sins::scene::{self, Play};
@@ -50,6 +51,8 @@ pub struct Flown {
     pub steps: u64,
     /// Steps in which a gyro, and in which an accelerometer, was beyond its range.
     pub beyond_range: [u64; 2],
+    /// Speed of the vehicle at its first sample [m/s].
+    pub speed_at_start_m_s: f64,
     /// Time that the steps took [s].
     pub seconds: f64,
     /// Largest |error| of the records: position [m], velocity [m/s], misalignment [rad].
@@ -122,6 +125,8 @@ pub struct InFlight {
     files: Files,
     flown: Flown,
     navigations: Navigations,
+    /// The first sample, until the second comes.
+    first: Option<FlightSample>,
     /// Whether the last interval has its record, and its row of the unit.
     is_recorded: [bool; 2],
 }
@@ -141,6 +146,7 @@ impl InFlight {
             files,
             flown: Flown::default(),
             navigations: Navigations::default(),
+            first: None,
             is_recorded: [true; 2],
         })
     }
@@ -185,6 +191,7 @@ impl InFlight {
     /// Takes the first sample.
     pub fn begin(&mut self, sample: FlightSample) -> Result<(), Stopped> {
         self.play.push(&sample)?;
+        self.first = Some(sample);
         if let Some(start) = Record::now(self.play.simulator_mut())? {
             self.keep(&start)?;
         }
@@ -194,6 +201,10 @@ impl InFlight {
     /// Takes the next sample, and flies the interval that it ends.
     pub fn go_on(&mut self, sample: FlightSample) -> Result<(), Stopped> {
         self.play.push(&sample)?;
+        if let Some(first) = self.first.take() {
+            let earth = self.play.course().scene().simulator_options().earth();
+            self.flown.speed_at_start_m_s = speed_m_s(&earth, &first, &sample);
+        }
         self.flown.steps += 1;
         let simulator = self.play.simulator();
         let Some(interval) = simulator.imu() else { return Ok(()) };
@@ -284,6 +295,12 @@ impl InFlight {
     fn keep(&mut self, record: &Record) -> Result<(), Failure> {
         keep(&mut self.flown, &mut self.files.records, record)
     }
+}
+
+/// Speed at the sample `first` [m/s]: its velocity, or without one the way to the sample `next`.
+fn speed_m_s(earth: &Earth, first: &FlightSample, next: &FlightSample) -> f64 {
+    let way_m = || earth.to_earth_fixed(&next.place) - earth.to_earth_fixed(&first.place);
+    first.v_n.unwrap_or_else(|| way_m() / (next.time_s - first.time_s)).norm()
 }
 
 /// Writes a record and takes its largest errors.

@@ -526,3 +526,38 @@ fn a_word_that_is_no_command_is_answered_with_the_command_that_does_it() {
     let errors = rejected(&folder, &["flly"]);
     assert!(errors.contains("'fly'") && !errors.contains("`sins"), "{errors}");
 }
+
+/// The summary says whether the alignment at rest is one of a vehicle that rests: by velocities, by positions, and in a log.
+#[test]
+fn a_start_in_motion_is_said() {
+    let folder = folder("start_in_motion");
+    let log = |step: f64| {
+        let row = |t: u32| format!("{t},{},0,50,0,0,0\n", 0.5 + step * f64::from(t));
+        format!(
+            "time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad\n{}",
+            (0..=20).map(row).collect::<String>()
+        )
+    };
+    // 1e-5 rad of latitude are 64 m.
+    std::fs::write(folder.join("moves.csv"), log(1e-5)).unwrap();
+    std::fs::write(folder.join("rests.csv"), log(0.0)).unwrap();
+    let moves = "aligned as at rest (the flight begins in motion, at ";
+    for (flown, more, words) in [
+        ("patrol", &["--preset", "navigation"][..], format!("{moves}200 m/s) and drawn: ")),
+        ("patrol", &["--set", "start.alignment=gyrocompass"], format!("{moves}200 m/s): alignment")),
+        ("racetrack", &["--preset", "tactical"], moves.to_owned()),
+        ("moves.csv", &["--preset", "navigation"], format!("{moves}63.")),
+        ("commuter", &["--preset", "navigation"], "aligned at rest and drawn: ".to_owned()),
+        ("rests.csv", &["--preset", "navigation"], "aligned at rest and drawn: ".to_owned()),
+        ("patrol", &[], "none: true position, velocity and attitude".to_owned()),
+        ("patrol", &["--set", "start.velocity_m_s=[1, 0, 0]"], "given: velocity error".to_owned()),
+    ] {
+        let order = ["fly", flown, "--force", "--name", "run", "--hours", "0.004"];
+        let (code, said, errors) = run(&folder, &[&order[..], more].concat());
+        assert_eq!(code, 0, "{errors}");
+        assert!(said.contains(&format!("  start errors    {words}")), "{flown} {more:?}: {said}");
+        let summary = read(folder.join("sins_out/run_summary.csv"));
+        let text = summary.lines().find_map(|line| line.strip_prefix("start_text,")).unwrap();
+        assert!(text.trim_start_matches('"').starts_with(&words), "{text}");
+    }
+}
