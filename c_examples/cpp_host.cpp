@@ -70,7 +70,9 @@ int main() {
         fly(play);
         sins::Play::Lent<sins::Simulator> sim(play.simulator());
         auto accuracy = sins::make<sins_accuracy>();
-        if (sim->get_accuracy(accuracy))
+        if (!sim->get_accuracy(accuracy) || !accuracy.has_rates)
+            std::printf("R50: not before 84.4 min, a Schuler period\n");
+        else
             std::printf("R50 = 0.8326 sqrt(mean RER^2) = %.3f nmi/h\n", accuracy.cep_rate_m_s / SINS_NMI_PER_HOUR);
 
         auto gyro = sins::make<sins_gyro_params>();

@@ -233,8 +233,13 @@ static int print_figures(const struct host *host)
            hypot(accuracy.closure_velocity_enu_m_s[0], accuracy.closure_velocity_enu_m_s[1]),
            hypot(accuracy.host_position_enu_m[0], accuracy.host_position_enu_m[1]),
            hypot(accuracy.host_velocity_enu_m_s[0], accuracy.host_velocity_enu_m_s[1]));
-    printf("%llu intervals, R50 %.4g nmi/h, R95 %.4g nmi/h\n", (unsigned long long)accuracy.intervals,
-           accuracy.cep_rate_m_s / SINS_NMI_PER_HOUR, accuracy.radial_95_rate_m_s / SINS_NMI_PER_HOUR);
+    printf("%llu intervals, ", (unsigned long long)accuracy.intervals);
+    if (accuracy.has_rates) {
+        printf("R50 %.4g nmi/h, R95 %.4g nmi/h\n", accuracy.cep_rate_m_s / SINS_NMI_PER_HOUR,
+               accuracy.radial_95_rate_m_s / SINS_NMI_PER_HOUR);
+    } else {
+        printf("R50 and R95: not before 84.4 min, a Schuler period\n");
+    }
     return 1;
 }
 

@@ -1305,8 +1305,11 @@ SINS_API sins_status SINS_CALL sins_get_imu(sins_sim *sim, sins_imu *imu);
 typedef struct sins_accuracy {
     /** sizeof(sins_accuracy) */
     uint32_t struct_size;
-    /** 0 */
-    uint32_t reserved;
+    /**
+     * 1: the rates RER, R50 and R95 are figures of the INS. 0: it has navigated for less than a Schuler period, 5064 s (84.4 min).
+     * Within a period its errors swing back, so the rates depend on the moment, and a display leaves them out.
+     */
+    uint32_t has_rates;
     /** Time [s]. */
     double time_s;
     /** Time since the start [s]. */

@@ -115,7 +115,7 @@ private:
         const sins_accuracy &accuracy = status.accuracy;
         const double *closure = accuracy.closure_position_enu_m;
         auto rate = [&](double m_s) {
-            return accuracy.window_samples > 1 ? shown(m_s / SINS_NMI_PER_HOUR, 4) : L"-";
+            return accuracy.has_rates ? shown(m_s / SINS_NMI_PER_HOUR, 4) : L"-";
         };
         Rows values = rows_of("progress", {shown(navigation.latitude_rad / SINS_DEG, 9),
                                          shown(navigation.longitude_rad / SINS_DEG, 9),

@@ -249,8 +249,8 @@ function rows(now) {
         [names[8], several(errors.velocity_enu_m_s, 1, 4)],
         [names[9], several(errors.misalignment_enu_rad, DEGREE / 60, 3)],
         accuracy && [names[10], several(accuracy.closure_position_enu_m, 1, 2)],
-        accuracy && [names[11], shown(accuracy.cep_rate_m_s / NMI_H, 4)],
-        accuracy && [names[12], shown(accuracy.radial_95_rate_m_s / NMI_H, 4)],
+        accuracy?.has_rates && [names[11], shown(accuracy.cep_rate_m_s / NMI_H, 4)],
+        accuracy?.has_rates && [names[12], shown(accuracy.radial_95_rate_m_s / NMI_H, 4)],
     ];
     return all.filter(Boolean);
 }

@@ -15,8 +15,9 @@ use crate::simulator::{ClosureFigures, TrimFigures};
 pub struct sins_accuracy {
     /// sizeof(sins_accuracy)
     pub struct_size: u32,
-    /// 0
-    pub reserved: u32,
+    /// 1: the rates RER, R50 and R95 are figures of the INS. 0: it has navigated for less than a Schuler period, 5064 s (84.4 min).
+    /// Within a period its errors swing back, so the rates depend on the moment, and a display leaves them out.
+    pub has_rates: u32,
     /// Time [s].
     pub time_s: f64,
     /// Time since the start [s].
@@ -76,7 +77,7 @@ impl sins_accuracy {
     ) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
-            reserved: 0,
+            has_rates: figures.has_rates().into(),
             time_s,
             duration_s: figures.duration_s,
             window_start_s: figures.window_start_s,

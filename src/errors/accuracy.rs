@@ -14,6 +14,9 @@ const RADIAL_95: f64 = 1.730_818_382_602_285;
 /// Start of the window of the radial error rate, as time since the start [s]: as t → 0 the rate is the initial error divided by 0.
 const WINDOW_START_S: f64 = 300.0;
 
+/// Schuler period 2π √(R/g) [s]: 84.4 min. Within a period the errors swing back, so the rates depend on the moment.
+pub const SCHULER_S: f64 = 5064.0;
+
 /// Shortest interval between two samples of the errors [s].
 const SAMPLE_INTERVAL_S: f64 = 1.0;
 
@@ -135,6 +138,11 @@ impl Accuracy {
 }
 
 impl AccuracyFigures {
+    /// Whether the rates are figures of the INS, which every display needs: it has navigated for a Schuler period.
+    pub fn has_rates(&self) -> bool {
+        self.window_samples > 0 && self.duration_s >= SCHULER_S
+    }
+
     /// R50 = 0.8326 √(mean RER²) [m/s], circular normal distribution.
     pub fn cep_rate_m_s(&self) -> f64 {
         RADIAL_CEP * self.radial_error_rate_rms_m_s
@@ -165,6 +173,10 @@ mod tests {
             assert!(!accuracy.is_due(100.5 + t));
         }
         let figures = accuracy.figures(3700.0);
+        // The rates are those of a Schuler period from its end on.
+        assert!(!figures.has_rates() && !accuracy.figures(100.0 + 5063.9).has_rates());
+        assert!(accuracy.figures(100.0 + 5064.0).has_rates());
+        assert!(!Accuracy::new(0.0).figures(6000.0).has_rates(), "no errors were added");
         assert_eq!(figures.window_samples, 3301);
         assert!((figures.cep_rate_m_s() / NMI_PER_HOUR - 0.832_554_611).abs() < 1e-9);
         assert!((figures.radial_95_rate_m_s() / NMI_PER_HOUR - 1.730_818_383).abs() < 1e-9);

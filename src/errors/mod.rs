@@ -8,7 +8,7 @@ pub mod covariance;
 mod difference;
 mod model;
 
-pub use accuracy::{Accuracy, AccuracyFigures};
+pub use accuracy::{Accuracy, AccuracyFigures, SCHULER_S};
 pub use carried::CarriedErrors;
 pub use difference::navigation_minus_truth;
 pub use model::{ErrorModel, SensorErrors};

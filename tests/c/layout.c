@@ -182,7 +182,7 @@ AT(sins_imu, measured_force_m_s2, 240);
 
 SIZE(sins_accuracy, SINS_SIZEOF_ACCURACY, 256);
 AT(sins_accuracy, struct_size, 0);
-AT(sins_accuracy, reserved, 4);
+AT(sins_accuracy, has_rates, 4);
 AT(sins_accuracy, time_s, 8);
 AT(sins_accuracy, duration_s, 16);
 AT(sins_accuracy, window_start_s, 24);

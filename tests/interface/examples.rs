@@ -40,7 +40,36 @@ fn the_small_examples_run() {
         text.contains("line 3: flight.builtin = \"petrol\": no such flight; did you mean patrol?"),
         "{text}"
     );
-    assert!(text.contains("nmi/h") && text.contains("gyro.markov_time_s[1] = 0"), "{text}");
+    assert!(
+        text.contains("R50: not before 84.4 min") && text.contains("gyro.markov_time_s[1] = 0"),
+        "{text}"
+    );
+}
+
+/// R50 and R95 are given from the end of a Schuler period on. Each program that shows them asks the library for it.
+#[test]
+fn rates_need_a_schuler_period_at_every_door() {
+    let folder = library_folder("rates");
+    let harness = built_to("c99", &["c_examples/harness.c"], &folder, "harness");
+    for (duration_s, is_given) in [(600, false), (5063, false), (5065, true)] {
+        let scene = format!(
+            "[flight]\nrate_hz = 1\n[[manoeuvre]]\nkind = \"rest\"\nduration_s = {duration_s}\n[gyro]\nbias_deg_h = 0.01\n"
+        );
+        std::fs::write(folder.join("scene.toml"), scene).unwrap();
+        let output = succeed(Command::new(&harness).arg("scene.toml").current_dir(&folder));
+        let text = text(&output.stdout);
+        let is_left_out = text.contains("R50 and R95: not before 84.4 min, a Schuler period");
+        assert_eq!((text.contains(" nmi/h"), is_left_out), (is_given, !is_given), "{duration_s} s: {text}");
+    }
+    for program in [
+        "c_examples/harness.c",
+        "c_examples/cpp_host.cpp",
+        "c_examples/emulator/display_page.h",
+        "c_examples/page/display.mjs",
+    ] {
+        let source = std::fs::read_to_string(project_file(program)).unwrap();
+        assert!(source.contains("cep_rate_m_s") && source.contains("has_rates"), "{program}");
+    }
 }
 
 /// The numbers of a line of text.

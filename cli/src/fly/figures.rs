@@ -1,6 +1,6 @@
 //! Figures of a flight: what was flown, and its accuracy.
 
-use sins::errors::AccuracyFigures;
+use sins::errors::{AccuracyFigures, SCHULER_S};
 use sins::scene::{PlannedUpdate, Scene};
 use sins::unit::{Mode, State};
 use sins::{ClosureFigures, TrimFigures};
@@ -10,7 +10,6 @@ use super::navigation::Navigation;
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::planned;
-use crate::report::SCHULER_S;
 use crate::units::six_digits;
 
 /// Smallest number of samples for a rate of growth: one sample defines no slope.
@@ -67,8 +66,8 @@ impl<'a> Figures<'a> {
     /// errors than those that have grown since, leaves no rate; and before the end of a Schuler period they depend on the moment.
     pub fn rates(&self) -> Result<&AccuracyFigures, String> {
         let navigation = self.grown()?;
-        let flown_s = navigation.duration_s();
-        if flown_s < SCHULER_S {
+        if !navigation.figures.has_rates() {
+            let flown_s = navigation.duration_s();
             let (least, flown) = (six_digits(SCHULER_S / 60.0), six_digits((flown_s / 6.0).round() / 10.0));
             return Err(format!(
                 "none: they need {least} min of navigation, a Schuler period, and it navigated {flown} min"

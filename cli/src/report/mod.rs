@@ -36,8 +36,6 @@ use run::Run;
 /// Ends of the names of files beside records.
 const BESIDE: [&str; 3] = ["_summary.csv", "_unit.csv", "_rows.csv"];
 
-pub use spectrum::SCHULER_S;
-
 /// Largest number of runs on a page: each has its curves there, and its records in memory while it is drawn.
 const MOST_RUNS: usize = 100;
 

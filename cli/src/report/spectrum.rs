@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use realfft::RealFftPlanner;
+use sins::errors::SCHULER_S;
 
 use crate::drawing::axis::Axis;
 use crate::drawing::figure::Figure;
@@ -12,9 +13,6 @@ use crate::drawing::series::{Points, mean, straight_line};
 use crate::failure::Failure;
 use crate::report::run::Run;
 use crate::units::{SPEED, fitting, time_text, with_unit};
-
-/// Schuler period 2π √(R / g) [s].
-pub const SCHULER_S: f64 = 84.4 * 60.0;
 
 /// One day [s].
 const DAY_S: f64 = 86_400.0;
