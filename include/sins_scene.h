@@ -250,8 +250,8 @@ typedef struct sins_scene_setup {
     int32_t has_temperature;
     /** 1: a program shows neither progress nor summary; 0: it does. */
     int32_t quiet;
-    /** 0 */
-    uint32_t reserved2;
+    /** 1: something is random, so that two runs of the scene differ; 0: all runs are equal. */
+    int32_t is_random;
     /** Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s]. */
     double duration_s;
     /**

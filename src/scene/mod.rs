@@ -51,6 +51,7 @@ pub use write::ChangedKey;
 
 use log::LogMapping;
 
+use crate::analysis::budget::BudgetEffect;
 use crate::base::error::{Error, Rule, check_integer};
 use crate::base::memory::room;
 use crate::sensors::{Failure, SensorOutput};
@@ -224,6 +225,13 @@ impl Scene {
             FlightSource::Path(path) => &path.manoeuvres,
             FlightSource::Log(_) | FlightSource::Builtin(_) => &[],
         }
+    }
+
+    /// Whether two runs of the scene differ.
+    pub fn is_random(&self) -> bool {
+        let has_failure = self.failures.iter().any(|planned| planned.failure.is_random());
+        let has_fix = self.updates.iter().any(|planned| planned.sigma_n.iter().any(|sigma| *sigma > 0.0));
+        has_failure || has_fix || BudgetEffect::set_in(&self.errors).any(|effect| effect.is_random)
     }
 
     /// Number of items in its lists.

@@ -629,7 +629,7 @@ AT(sins_scene_setup, reserved, 4);
 AT(sins_scene_setup, flight, 8);
 AT(sins_scene_setup, has_temperature, 12);
 AT(sins_scene_setup, quiet, 16);
-AT(sins_scene_setup, reserved2, 20);
+AT(sins_scene_setup, is_random, 20);
 AT(sins_scene_setup, duration_s, 24);
 AT(sins_scene_setup, flown_s, 32);
 AT(sins_scene_setup, rate_hz, 40);

@@ -23,9 +23,6 @@ pub use command::Order;
 
 use std::path::PathBuf;
 
-use sins::analysis::budget::BudgetEffect;
-use sins::scene::Scene;
-
 use crate::drawing::document::PAGE_MARK;
 use crate::failure::{Failure, Kind};
 use crate::interrupt;
@@ -47,7 +44,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         given.inputs.extend(path);
     }
     let plan = Plan::new(order, &given, requirements)?;
-    if plan.runs > 1 && !is_random(&given.scene) {
+    if plan.runs > 1 && !given.scene.is_random() {
         let what = "nothing is random in this scene: all runs would be equal. --preset navigation sets random errors; --runs 1 flies one run";
         return Err(Failure::new(format!("{}: {what}", given.origin)));
     }
@@ -116,13 +113,6 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         return Err(Failure::of_kind(Kind::Failed, "every run diverged before the end"));
     }
     verdict::failure(&judged).map_or(Ok(()), Err)
-}
-
-/// Whether two runs of a scene differ.
-fn is_random(scene: &Scene) -> bool {
-    let has_failure = scene.failures.iter().any(|planned| planned.failure.is_random());
-    let has_fix = scene.updates.iter().any(|planned| planned.sigma_n.iter().any(|sigma| *sigma > 0.0));
-    has_failure || has_fix || BudgetEffect::set_in(&scene.errors).any(|effect| effect.is_random)
 }
 
 fn interrupted(plan: &Plan, results: &Results, checkpoint: &Checkpoint) -> String {

@@ -32,8 +32,8 @@ pub struct sins_scene_setup {
     pub has_temperature: i32,
     /// 1: a program shows neither progress nor summary; 0: it does.
     pub quiet: i32,
-    /// 0
-    pub reserved2: u32,
+    /// 1: something is random, so that two runs of the scene differ; 0: all runs are equal.
+    pub is_random: i32,
     /// Duration to fly, 0.036 to 3.6e8; 0: the whole flight, or the duration of the built-in scene [s].
     pub duration_s: f64,
     /// Duration that will be flown [s]. 0 for a log (see sins_log_info.duration_s). 0 also if duration_s is longer
@@ -70,7 +70,7 @@ pub unsafe extern "C-unwind" fn sins_scene_get_setup(
             },
             has_temperature: i32::from(scene.temperature.is_some()),
             quiet: i32::from(scene.output.quiet),
-            reserved2: 0,
+            is_random: i32::from(scene.is_random()),
             duration_s: scene.duration_s.unwrap_or(0.0),
             flown_s: scene.flown_s().unwrap_or(0.0),
             rate_hz: if scene.is_log() { 0.0 } else { scene.rate_hz },
