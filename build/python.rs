@@ -15,6 +15,7 @@ pub fn write(interface: &Interface) -> Vec<(&'static str, String)> {
     let fixed = [
         ("sins/__init__.py", include_str!("sins/__init__.py")),
         ("sins/_analysis.py", include_str!("sins/_analysis.py")),
+        ("sins/_calls.py", include_str!("sins/_calls.py")),
         ("sins/_ensemble.py", include_str!("sins/_ensemble.py")),
         ("sins/_flight.py", include_str!("sins/_flight.py")),
         ("sins/_scene.py", include_str!("sins/_scene.py")),

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from sins._scene import Trajectory as Trajectory, trajectory as trajectory
 
     Error = c.Error
+    __version__: str
 
 _HOME = {
     "_analysis": ("Budget", "Recommendation", "budget", "recommend"),
@@ -44,6 +45,8 @@ __all__ = sorted(["c", *(name for names in _HOME.values() for name in names)])
 def __getattr__(name: str) -> Any:
     if name == "c":
         return importlib.import_module("sins.c")
+    if name == "__version__":
+        return importlib.import_module("sins.c").version_string()
     for module, names in _HOME.items():
         if name in names:
             return getattr(importlib.import_module(f"sins.{module}"), name)
@@ -51,4 +54,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> "list[str]":
-    return __all__
+    return [*__all__, "__version__"]

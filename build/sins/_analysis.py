@@ -6,7 +6,8 @@ from typing import Any, Optional, Tuple
 import numpy.typing as npt
 
 from sins import c
-from sins._scene import Flown, Scene, Setting
+from sins._calls import in_background
+from sins._scene import Flown, Scene, Setting, whole_number
 
 
 @dataclass(frozen=True)
@@ -45,9 +46,11 @@ class Recommendation:
 
 
 def _whole(scene: Scene, most: int) -> Any:
+    """All samples, which are not those of the user."""
     if scene.info.count > most:
         raise ValueError(f"{scene.info.count} samples: at most {most}; fly fewer hours")
-    return scene.piece(0, scene.info.count)
+    samples = scene.piece(0, scene.info.count)
+    return samples if scene.samples is None else samples.copy()
 
 
 def budget(
@@ -61,10 +64,14 @@ def budget(
     """
     scene = Scene(flown, hours, settings)
     samples = _whole(scene, 10**9)
-    request = c.budget_request(runs=runs, position_m=position_m, velocity_m_s=velocity_m_s, attitude_rad=attitude_rad)
+    request = c.budget_request(runs=whole_number("runs", runs, 0, 2**64 - 1), position_m=position_m, velocity_m_s=velocity_m_s, attitude_rad=attitude_rad)
+    rows = c.array(c.budget_row, 128)
+
+    def stop() -> None:
+        samples["struct_size"] = 1  # which ends the call
+
     with c.scene_create_simulator(scene.handle) as sim:
-        rows = c.array(c.budget_row, 128)
-        written, whole = c.error_budget(sim, samples, request, rows)
+        written, whole = in_background(lambda: c.error_budget(sim, samples, request, rows), stop)
     effects = tuple(row.effect.decode() for row in (c.budget_row * written).from_buffer(rows))
     return Budget(effects, rows[:written], whole)
 
@@ -84,7 +91,7 @@ def recommend(
                                 margin=margin)
     with c.scene_create_simulator(scene.handle) as sim:
         try:
-            (options, cost), is_met = c.recommend(sim, samples, requirement), True
+            (options, cost), is_met = in_background(lambda: c.recommend(sim, samples, requirement)), True
         except c.Error as error:
             if error.status != c.REQUIREMENT_NOT_MET:
                 raise

@@ -1,18 +1,21 @@
 """Many runs of one flight, each with random numbers of its own."""
 
+import contextlib
 import math
 import os
+import threading
 import warnings
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Iterator, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
 from sins import c
+from sins._calls import INTERVALS, in_background
 from sins._flight import fly_records, plot_errors
-from sins._scene import Floats, Flown, Scene, Setting
+from sins._scene import Floats, Flown, Scene, Setting, whole_number
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -134,17 +137,19 @@ def ensemble(
     runs are flown at once; without it, one for each core. A scene with a unit flies each run with its unit, which costs a single flight
     for each run. The answer takes 72 bytes for each run and time.
 
-    Raises `sins.Error` as `fly`. Warns of runs that diverged.
+    Raises `sins.Error` as `fly`, and ValueError if all runs would be equal, because nothing is random. Warns of runs that diverged.
     """
-    if runs < 1 or times < 2:
-        raise ValueError(f"runs = {runs}, times = {times}: at least 1 run and 2 times")
+    runs, times = whole_number("runs", runs, 1, 2**32 - 1), whole_number("times", times, 2, 2**63 - 1)
     scene = Scene(flown, hours, settings)
+    if runs > 1 and not scene.setup.is_random:
+        raise ValueError(f'nothing is random in this scene: all runs would be equal. gyro="navigation" sets random errors; runs=1 flies one run')
     every = max(1, (scene.info.count - 1) // (times - 1))
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    workers = min(runs, threads or cores)
+    workers = min(runs, cores if threads is None else whole_number("threads", threads, 1, 2**31 - 1))
     first_run = c.scene_get_options(scene.handle).run
     fly_all = _with_units if scene.plans("[unit]") else _side_by_side
-    time_s, errors = fly_all(scene, first_run, runs, every, workers)
+    stop = threading.Event()
+    time_s, errors = in_background(lambda: fly_all(scene, first_run, runs, every, workers, stop), stop.set)
     diverged = int(np.isnan(errors[_FIELDS[0]][:, -1, 0]).sum())
     if diverged:
         warnings.warn(f"{diverged} of {runs} runs diverged; their errors are NaN", stacklevel=2)
@@ -155,14 +160,18 @@ def _empty(runs: int, times: int) -> "dict[str, Floats]":
     return {field: np.full((runs, times, 3), np.nan) for field in _FIELDS}
 
 
-def _with_units(scene: Scene, first_run: int, runs: int, every: int, workers: int) -> "Tuple[Floats, dict[str, Floats]]":
+def _with_units(
+    scene: Scene, first_run: int, runs: int, every: int, workers: int, stop: threading.Event
+) -> "Tuple[Floats, dict[str, Floats]]":
     """Each run as a scene in flight."""
     def one(run: int) -> "npt.NDArray[Any]":
+        if stop.is_set():
+            return c.array(c.record, 0)  # type: ignore[no-any-return]
         with c.scene_parse(scene.text) as own:
             c.scene_set_values(own, f"options.run = {run}\noutput.every_s = {every * scene.info.period_s!r}")
-            return fly_records(own, scene.log)
+            return fly_records(own, scene.log, stop)
 
-    with ThreadPoolExecutor(workers) as pool:
+    with ThreadPoolExecutor(workers) as pool, _ended_by_errors(stop):
         flown = list(pool.map(one, range(first_run, first_run + runs)))
     errors = _empty(runs, len(flown[0]))
     for run, records in enumerate(flown):
@@ -171,46 +180,85 @@ def _with_units(scene: Scene, first_run: int, runs: int, every: int, workers: in
     return np.array(flown[0]["time_s"]), errors
 
 
-def _side_by_side(scene: Scene, first_run: int, runs: int, every: int, workers: int) -> "Tuple[Floats, dict[str, Floats]]":
+def _side_by_side(
+    scene: Scene, first_run: int, runs: int, every: int, workers: int, stop: threading.Event
+) -> "Tuple[Floats, dict[str, Floats]]":
     """Runs in as many ensembles as there are threads, over the same samples."""
     parts = np.linspace(0, runs, workers + 1).astype(int).tolist()
     with c.scene_create_simulator(scene.handle) as sim:
         made = [c.ensemble_create(sim, first_run + begin, end - begin) for begin, end in zip(parts, parts[1:])]
     ends = [0, *range(every, scene.info.count - 1, every), scene.info.count - 1]
     errors, time_s = _empty(runs, len(ends)), np.empty(len(ends))
-    fly = _stretch_with_plan(scene) if scene.setup.has_temperature or scene.plans("[[failure]]", "[[update]]") else c.ensemble_run
+    has_plan = scene.setup.has_temperature or scene.plans("[[failure]]", "[[update]]")
+    fly = _fly_plan if has_plan else _fly
 
-    def stretch(part: int, at: int, samples: "npt.NDArray[Any]") -> None:
-        fly(made[part], samples)
+    def stretch(part: int, begin: int, samples: "npt.NDArray[Any]", at: Optional[int]) -> None:
+        fly(scene, made[part], begin, samples, stop)
+        if at is None:
+            return
         found = c.array(c.errors, parts[part + 1] - parts[part])
         c.ensemble_get_all_errors(made[part], c.ERRORS_NAVIGATION, found)
         is_good = (found["flags"] & c.ERRORS_NOT_COMPUTED) == 0
         for field in _FIELDS:
             errors[field][parts[part] : parts[part + 1], at][is_good] = found[field][is_good]
 
-    with ThreadPoolExecutor(workers) as pool:
-        begin = 0
+    with ThreadPoolExecutor(workers) as pool, _ended_by_errors(stop):
         waiting: "list[Any]" = []
-        for at, end in enumerate(ends):
-            samples = scene.piece(begin, end + 1)  # while the threads fly the piece before
+        for begin, end, at in _pieces(ends):
+            samples = scene.piece(begin, end)  # while the threads fly the piece before
             for one in waiting:
                 one.result()
-            time_s[at] = samples["time_s"][-1]
-            waiting = [pool.submit(stretch, part, at, samples) for part in range(workers)]
-            begin = end + 1
+            if stop.is_set():
+                break
+            if at is not None:
+                time_s[at] = samples["time_s"][-1]
+            waiting = [pool.submit(stretch, part, begin, samples, at) for part in range(workers)]
         for one in waiting:
             one.result()
     return time_s, errors
 
 
-def _stretch_with_plan(scene: Scene) -> "Callable[[Any, npt.NDArray[Any]], None]":
+def _pieces(ends: "list[int]") -> "Iterator[Tuple[int, int, Optional[int]]]":
+    """Ranges of samples, none of them long, to the last sample of `ends`; with the place in `ends` of the sample at their end, if it is one."""
+    begin = 0
+    for at, last in enumerate(ends):
+        while begin <= last:
+            end = min(begin + INTERVALS, last + 1)
+            yield begin, end, at if end > last else None
+            begin = end
+
+
+@contextlib.contextmanager
+def _ended_by_errors(stop: threading.Event) -> "Iterator[None]":
+    """An error of one thread ends the others."""
+    try:
+        yield
+    except BaseException:
+        stop.set()
+        raise
+
+
+def _fly(scene: Scene, made: Any, begin: int, samples: "npt.NDArray[Any]", stop: threading.Event) -> None:
+    """Flies samples, of which the first is sample `begin` of the flight, in calls that are over soon."""
+    piece = max(1, 8 * INTERVALS // c.ensemble_get_runs(made)[1])
+    for first in range(0, len(samples), piece):
+        if stop.is_set():
+            return
+        try:
+            c.ensemble_run(made, samples[first : first + piece])
+        except c.Error as error:
+            of_call = error.info.sample
+            if of_call >= 0:
+                error.info.sample += begin + first
+                error.args = (str(error).replace(f"samples[{of_call}]", f"samples[{error.info.sample}]"),)
+            raise
+
+
+def _fly_plan(scene: Scene, made: Any, begin: int, samples: "npt.NDArray[Any]", stop: threading.Event) -> None:
     """Flies samples one by one, with failures, updates and temperature of the scene."""
-    start_s: float = scene.info.start_s
-
-    def fly(made: Any, samples: "npt.NDArray[Any]") -> None:
-        for own in (c.flight_sample * len(samples)).from_buffer_copy(samples):
-            c.scene_prepare_ensemble(scene.handle, made, start_s, own)
-            c.ensemble_push_sample(made, own)
-            c.ensemble_step(made)
-
-    return fly
+    for own in (c.flight_sample * len(samples)).from_buffer_copy(samples):
+        if stop.is_set():
+            return
+        c.scene_prepare_ensemble(scene.handle, made, scene.info.start_s, own)
+        c.ensemble_push_sample(made, own)
+        c.ensemble_step(made)

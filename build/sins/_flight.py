@@ -1,5 +1,7 @@
 """A flight: as a whole, or in stretches with the increments of the sensors and corrections."""
 
+import difflib
+import threading
 import warnings
 from typing import TYPE_CHECKING, Any, Iterator, Optional, Tuple
 
@@ -7,14 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from sins import c
-from sins._scene import Floats, Flown, Scene, Setting
+from sins._calls import INTERVALS, in_background
+from sins._scene import Floats, Flown, Scene, Setting, numbers
 
 if TYPE_CHECKING:
     import matplotlib.figure
     import pandas
-
-# Records that are flown between two looks for an interrupt.
-_PIECE = 64
 
 _ENU = ("east", "north", "up")
 
@@ -141,6 +141,9 @@ class Flight:
     def __enter__(self) -> "Flight":
         return self
 
+    def __reduce_ex__(self, _: Any) -> Any:
+        raise TypeError("a sins.Flight can be neither copied nor pickled: it is one INS in flight. sins.fly and sins.ensemble fly many")
+
     def __exit__(self, *_: object) -> None:
         self._play.close()
 
@@ -149,6 +152,7 @@ class Flight:
 
         Fields of shape (intervals, 3): measured_angle_rad and measured_velocity_m_s, the increments of the sensors with their errors;
         compensated_..., on which the INS navigates; ideal_..., of perfect sensors. The array is empty at the end of the flight.
+        After an interrupt (Ctrl-C) the flight stands where it was interrupted; `record` says when.
         """
         if seconds is not None and not 0 < seconds < np.inf:
             raise ValueError(f"seconds = {seconds}: must be more than 0")
@@ -156,11 +160,20 @@ class Flight:
         count = min(count, self._intervals)
         if count == 0:
             return c.array(c.imu, 0)  # type: ignore[no-any-return]
-        signals: "npt.NDArray[Any]" = c.array(c.imu, count)
-        written = c.c_size_t()
-        c.play_run_imu(self._play, signals, written)
-        self._intervals -= written.value
-        return signals[: written.value]
+        signals: "npt.NDArray[Any]" = np.zeros(count, c.array(c.imu, 0).dtype)
+        done = 0
+        while done < count:
+            written = c.c_size_t()
+            piece = signals[done : done + INTERVALS]
+            piece["struct_size"] = signals.itemsize
+            try:
+                status = c.play_run_imu(self._play, piece, written)
+            finally:
+                self._intervals -= written.value
+            done += written.value
+            if status == c.PLAY_END:
+                break
+        return signals[:done]
 
     @property
     def record(self) -> Any:
@@ -173,18 +186,27 @@ class Flight:
         """Removes estimated errors from the solution, and compensates the sensors from now on: the fields of `sins.c.correction`,
         position_enu_m, velocity_enu_m_s, misalignment_enu_rad, gyro_bias_rad_s, gyro_scale_factor, accel_bias_m_s2,
         accel_scale_factor, of three numbers each. Errors are computed less true."""
-        c.correct(c.play_get_simulator(self._play), c.correction(**{name: tuple(values) for name, values in errors.items()}))
+        names = [name for name, *_ in c.correction._fields_ if name != "struct_size" and name != "reserved"]
+        given = {}
+        for name, values in errors.items():
+            if name not in names:
+                raise TypeError(f"no such error: {name}; did you mean {difflib.get_close_matches(name, names, 1, 0)[0]}?")
+            given[name] = numbers(name, values)
+            if given[name].shape != (3,):
+                raise ValueError(f"{name} has the shape {given[name].shape}: expected (3,)")
+        c.correct(c.play_get_simulator(self._play), c.correction(**given))
 
 
-def fly_records(scene: Any, log: Any) -> "npt.NDArray[Any]":
-    """All records of the flight of a scene; can be interrupted."""
+def fly_records(scene: Any, log: Any, stop: threading.Event) -> "npt.NDArray[Any]":
+    """All records of the flight of a scene, or those before it was stopped."""
     info = c.scene_get_samples(scene, log)
     records: "npt.NDArray[Any]" = c.array(c.record, info.count // info.record_every + 2)
+    piece = max(1, INTERVALS // info.record_every)
     done = 0
     with c.play_create(scene, log) as play:
-        while done < len(records):
+        while done < len(records) and not stop.is_set():
             written = c.c_size_t()
-            status = c.play_run(play, records[done : done + _PIECE], written)
+            status = c.play_run(play, records[done : done + piece], written)
             done += written.value
             if status == c.PLAY_END:
                 break
@@ -201,10 +223,9 @@ def fly(flown: Flown, hours: Optional[float] = None, *, every_s: Optional[float]
 
     Raises `sins.Error`: a setting out of its range, a sample that no INS can follow.
     """
-    if every_s is not None:
-        settings["output"] = {"every_s": every_s}
-    scene = Scene(flown, hours, settings)
-    run = Run(fly_records(scene.handle, scene.log), scene.title)
+    scene = Scene(flown, hours, settings, every_s)
+    stop = threading.Event()
+    run = Run(in_background(lambda: fly_records(scene.handle, scene.log, stop), stop.set), scene.title)
     if run.has_model and (run.records["model_errors"]["flags"] & c.ERRORS_OUTSIDE_VALIDITY).any():
         warnings.warn("the errors are too large for the error differential equations at some records", stacklevel=2)
     return run

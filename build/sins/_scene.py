@@ -1,14 +1,17 @@
 """What flies: a scene with its settings, and its samples."""
 
 import difflib
+import itertools
+import operator
 import os
 import re
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from sins import c
+from sins._calls import in_background
 
 Floats = npt.NDArray[np.float64]
 Setting = Union[str, Mapping[str, Any]]
@@ -36,12 +39,37 @@ class Trajectory:
         """Structured array of `sins.c.flight_sample`, shape (samples,)."""
         self.log = c.log_create(samples)
 
+    def __reduce__(self) -> "tuple[Any, ...]":
+        return Trajectory, (self.samples,)
+
     def __len__(self) -> int:
         return len(self.samples)
 
     def __repr__(self) -> str:
         times = self.samples["time_s"]
         return f"<sins.Trajectory: {len(times)} samples, {times[0]:g} to {times[-1]:g} s>"
+
+
+def numbers(name: str, values: Any) -> Floats:
+    """An array of numbers, of a user's array that has nothing but numbers."""
+    c.check_masks(name, values)
+    try:
+        if np.asarray(values).dtype.kind in "cmM":
+            raise TypeError("complex numbers, dates and times must be made real numbers first")
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{name}: not numbers: {error}") from None
+
+
+def whole_number(name: str, value: Any, least: int, most: int) -> int:
+    """A whole number within its limits."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {value!r}: must be a whole number") from None
+    if not least <= number <= most:
+        raise ValueError(f"{name} = {number}: must be from {least} to {most}")
+    return number
 
 
 def trajectory(data: Any = None, **columns: Any) -> Trajectory:
@@ -53,7 +81,7 @@ def trajectory(data: Any = None, **columns: Any) -> Trajectory:
     quantity comes from: the name of a column of `data` (latitude_deg="lat"), an array of shape (samples,), or a number for all samples.
     Quantities without a keyword are taken from the column of their own name. Without velocities the library derives them.
 
-    Raises `sins.Error` with the number of the sample: times not in order, a value out of its range.
+    Raises `sins.Error` with the number of the sample: times not in order, a value out of its range. Masked values are a ValueError.
     """
     names = [name for name, _, _, _ in _QUANTITIES]
     for name in columns:
@@ -72,10 +100,7 @@ def trajectory(data: Any = None, **columns: Any) -> Trajectory:
             if source not in of_data:
                 raise KeyError(f"{name}: the data has no column {source!r}")
             source = data[source]
-        try:
-            found[field, place] = name, np.asarray(source, dtype=np.float64) * factor
-        except (TypeError, ValueError):
-            raise TypeError(f"{name}: not numbers") from None
+        found[field, place] = name, numbers(name, source) * factor
     fields = {field for field, _ in found}
     for _, field, place, _ in _QUANTITIES:
         if (field, place) not in found and (field in fields or field not in _OPTIONAL):
@@ -97,44 +122,54 @@ def trajectory(data: Any = None, **columns: Any) -> Trajectory:
 Flown = Union[str, "os.PathLike[str]", Trajectory]
 
 
-def _value(value: Any) -> str:
+def _value(name: str, value: Any) -> str:
     """A value as a scene has it."""
-    if isinstance(value, (bool, np.bool_)):
+    c.check_masks(name, value)
+    if hasattr(value, "tolist"):  # of numpy or pandas
+        value = value.tolist()
+    if isinstance(value, bool):
         return "on" if value else "off"
     if isinstance(value, str):
         return value
-    if isinstance(value, (Sequence, np.ndarray)):
-        return f"[{', '.join(_value(one) for one in value)}]"
-    return repr(value.item() if isinstance(value, np.generic) else value)
+    if isinstance(value, Sequence):
+        return f"[{', '.join(_value(name, one) for one in value)}]"
+    return repr(value)
 
 
-def _lines(hours: Optional[float], settings: Mapping[str, Setting]) -> str:
-    """Settings as the lines of a change of a scene."""
-    lines = [] if hours is None else [f"flight.hours = {_value(hours)}"]
+def _lines(paths: Mapping[str, Any], settings: Mapping[str, Setting]) -> str:
+    """Keys with their sections, and sections of keys, as the lines of a change of a scene."""
+    lines = {path: _value(path, value) for path, value in paths.items() if value is not None}
     for section, values in settings.items():
         section = {"accel": "accelerometer"}.get(section, section)
         if isinstance(values, str):
             values = {"preset": values}
         if not isinstance(values, Mapping):
             raise TypeError(f"{section} = {values!r}: expected a dict of keys, or the name of a preset")
-        lines += [f"{section}.{key} = {_value(value)}" for key, value in values.items()]
-    return "\n".join(lines)
+        if not values and section.encode() not in (key.section for key in _all(c.scene_get_key)):
+            values = {"preset": ""}  # the library says that there is no such section
+        for key, value in values.items():
+            path = f"{section}.{key}"
+            if path in lines:
+                raise TypeError(f"{path} is given twice")
+            lines[path] = _value(path, value)
+    return "\n".join(f"{path} = {value}" for path, value in lines.items())
 
 
-def _builtins() -> str:
-    """The names of the built-in scenes."""
-    names: "list[str]" = []
+def _all(read: Callable[[int], Any]) -> "Iterator[Any]":
+    """What the library lists by index."""
     try:
-        while True:
-            names.append(c.scene_builtin_name(len(names)))
+        for index in itertools.count():
+            yield read(index)
     except c.Error:
-        return ", ".join(names)
+        return
 
 
 class Scene:
     """A scene with its settings and its log, ready to be flown; not for users, who give its parts to the functions of the package."""
 
-    def __init__(self, flown: Flown, hours: Optional[float], settings: Mapping[str, Setting]) -> None:
+    def __init__(
+        self, flown: Flown, hours: Optional[float], settings: Mapping[str, Setting], every_s: Optional[float] = None
+    ) -> None:
         self.samples: "Optional[npt.NDArray[Any]]" = None
         """All samples of a trajectory."""
         self.log: Any = None
@@ -159,9 +194,9 @@ class Scene:
                 try:
                     self.handle = c.scene_create_builtin(name)
                 except c.Error as error:
-                    error.args = (f"{name!r}: must be a built-in scene ({_builtins()}), or a file .toml or .csv",)
+                    error.args = (f"{name!r}: must be a built-in scene ({', '.join(_all(c.scene_builtin_name))}), or a file .toml or .csv",)
                     raise
-        lines = _lines(hours, settings)
+        lines = _lines({"flight.hours": hours, "output.every_s": every_s}, settings)
         try:
             c.scene_set_values(self.handle, lines)
         except c.Error as error:
@@ -171,7 +206,8 @@ class Scene:
         self.text: str = c.scene_write(self.handle)
         if self.log is None and self.setup.flight == c.SCENE_FLIGHT_LOG:
             with open(os.path.join(folder, c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)), "rb") as file:
-                self.log = c.log_parse(file.read(), self.handle)[0]
+                text = file.read()
+            self.log = in_background(lambda: c.log_parse(text, self.handle)[0])
         self.info = c.scene_get_samples(self.handle, self.log)
         """Number of samples, their period and duration."""
         texts = (c.SCENE_TEXT_TITLE, c.SCENE_TEXT_LOG, c.SCENE_TEXT_BUILTIN)

@@ -39,6 +39,15 @@ from ctypes import POINTER, c_char, c_double, c_int32, c_int64, c_size_t, c_uint
 # <constants>
 
 
+def check_masks(name, value):
+    """Rejects an array of numpy some of whose values are masked: the library would read what is behind the masks."""
+    numpy = sys.modules.get("numpy")
+    if numpy and isinstance(value, numpy.ma.MaskedArray):
+        masked = numpy.ascontiguousarray(numpy.ma.getmaskarray(value)).view(bool).sum()
+        if masked:
+            raise ValueError(f"{name}: {masked} values are masked; fill them in, or leave their samples out")
+
+
 def _load():
     """The library, of the version of the interface that this file is for."""
     beside = os.path.dirname(os.path.abspath(__file__))
@@ -81,6 +90,9 @@ class Error(Exception):
         self.faults = faults
         self.outputs = outputs
 
+    def __reduce__(self):
+        return type(self), (self.status, *self.args, self.info, self.faults, self.outputs), self.__dict__
+
 
 def _exported(enumeration):
     """Makes sins.frame.FRAME_GEOGRAPHIC known as sins.FRAME_GEOGRAPHIC, as in C."""
@@ -100,12 +112,19 @@ class _Struct(ctypes.Structure):
 
     def __setattr__(self, name, value):
         given = value
+        check_masks(f"{type(self).__name__}.{name}", value)
         if getattr(value, "ndim", 0):  # an array of numpy; a matrix row by row
             value = tuple(value.ravel())
         try:
+            length = getattr(getattr(self, name), "_length_", None)  # of an array
+            if length is not None and len(value) != length:
+                raise TypeError(f"expected {length} elements, not {len(value)}")
             super().__setattr__(name, value)
         except (IndexError, RuntimeError, TypeError) as error:
             raise TypeError(f"{type(self).__name__}.{name} = {given!r}: {error}") from None
+
+    def __reduce__(self):
+        return type(self).from_buffer_copy, (bytes(self),)
 
     def __repr__(self):
         def shown(value):
@@ -133,6 +152,9 @@ class _Handle(ctypes.c_void_p):
 
     def __exit__(self, *_):
         self.close()
+
+    def __reduce_ex__(self, _):
+        raise TypeError(f"a sins.{type(self).__name__} can be neither copied nor pickled: it stands for one object of the library")
 
 
 # <types>
@@ -221,6 +243,7 @@ class _Array:
         elif isinstance(value, (str, bytes)):
             raise TypeError("a buffer to write into: make it by ctypes.create_string_buffer(size)")
         elif hasattr(value, "dtype"):  # of numpy
+            check_masks(f"array of sins.{self.element.__name__}", value)
             if value.dtype != _dtype(self.element):
                 raise TypeError("not an array as sins.array(sins.{0}, count) makes it".format(self.element.__name__))
             value = (self.element * value.size).from_buffer(value)

@@ -7,4 +7,6 @@ class Error(Exception):
     faults: Any
     outputs: Any
 
+def check_masks(name: str, value: Any) -> None: ...
+
 def __getattr__(name: str) -> Any: ...

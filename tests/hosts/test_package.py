@@ -3,16 +3,23 @@
 Needs SINS_LIBRARY, PYTHONPATH, numpy, pandas and matplotlib, and the program sins as the first argument: see tests/hosts.sh.
 """
 
+import copy
 import doctest
 import io
 import os
 import pathlib
+import pickle
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 import warnings
+from concurrent.futures import ProcessPoolExecutor
+from unittest import mock
 
 import numpy as np
 import pandas
@@ -24,6 +31,11 @@ SCENES = PROJECT / "c_examples/scenes"
 PROGRAM = sys.argv.pop(1)
 GRADE = {"gyro": "navigation", "accel": "navigation", "start": "navigation"}
 DAY = (SCENES / "day.toml").read_text()
+# All that takes settings.
+FLIES = [sins.fly, sins.Flight, sins.ensemble, sins.budget, lambda *flown, **settings: sins.recommend(*flown, position_m=1, **settings)]
+LONG = {"hours": 20, "options": {"scheme": "polynomial", "subsamples": 5, "updates_per_sample": 16}}
+CORRECTIONS = ["position_enu_m", "velocity_enu_m_s", "misalignment_enu_rad", "gyro_bias_rad_s", "gyro_scale_factor", "accel_bias_m_s2",
+               "accel_scale_factor"]
 
 
 def program(*arguments):
@@ -107,11 +119,63 @@ class Flights(unittest.TestCase):
             (sins.Error, r"later.*samples\[2\]", lambda: sins.trajectory(**{**good, "time_s": [0, 1, 1]})),
             (sins.Error, "count = 1", lambda: sins.trajectory(**{**good, "time_s": [0]})),
             (ValueError, r"time_s has the shape \(\)", lambda: sins.trajectory(**{**good, "time_s": 1.0})),
-            (ValueError, "runs = 0", lambda: sins.ensemble("patrol", runs=0)),
+            (ValueError, "runs = 0: must be from 1 to", lambda: sins.ensemble("patrol", runs=0)),
+            (ValueError, "times = 1: must be from 2 to", lambda: sins.ensemble("patrol", times=1, **GRADE)),
+            (ValueError, "threads = 0: must be from 1 to", lambda: sins.ensemble("patrol", threads=0, **GRADE)),
+            (TypeError, "runs = 2.5: must be a whole number", lambda: sins.ensemble("patrol", runs=2.5, **GRADE)),
+            (ValueError, "runs = -1: must be from 0 to", lambda: sins.budget("patrol", hours=0.01, runs=-1, **GRADE)),
+            (TypeError, "accelerometer.bias_micro_g is given twice",
+             lambda: sins.fly("patrol", accel={"bias_micro_g": 1}, accelerometer={"bias_micro_g": 2})),
+            (TypeError, "output.every_s is given twice", lambda: sins.fly("patrol", every_s=1, output={"every_s": 2})),
+            (TypeError, "flight.hours is given twice", lambda: sins.fly("patrol", hours=1, flight={"hours": 2})),
+            (TypeError, "time_s: not numbers: .*dates", lambda: sins.trajectory(**{**good, "time_s": pandas.date_range("2026", periods=3)})),
+            (TypeError, "height_m: not numbers: complex", lambda: sins.trajectory(**lacking, height_m=np.array([1j, 2, 3]))),
             (ValueError, "at most 360000", lambda: sins.recommend("patrol", hours=48, position_m=1)),
         ]:
             with self.subTest(sentence):
                 self.assertRaisesRegex(error, sentence, call)
+
+    def test_a_section_that_does_not_exist_is_told_without_keys_too(self):
+        for function in FLIES:
+            for settings in ({"foo": {}}, {"foo": {"bar": 1}}, {"foo": "navigation"}):
+                with self.subTest(function.__name__, **settings), self.assertRaisesRegex(sins.Error, "^no such section: foo"):
+                    function("patrol", hours=0.01, **settings)
+        self.assertEqual(len(sins.fly("patrol", hours=0.01, gyro={}, accel={}, output={"name": "x"}, every_s=1)), 37)
+
+    def test_masked_values_are_rejected_wherever_numbers_are_given(self):
+        masked, whole = np.ma.array([1.0, 2.0, 3.0], mask=[0, 0, 1]), np.ma.array([1.0, 2.0, 3.0])
+        columns = {"time_s": np.arange(3.0), "latitude_rad": 0.1, "longitude_rad": 0.2, "height_m": 1.0, "roll_rad": 0, "pitch_rad": 0,
+                   "heading_rad": 0}
+        names = [name for name in [name for name, *_ in sins._scene._QUANTITIES] if not name.endswith("_deg")]
+        every = {name: columns.get(name, 0.0) for name in names}
+        every["height_m"] = whole
+        self.assertEqual(len(sins.trajectory(**every)), 3)
+        table = np.ma.array(np.zeros(3, [(name, float) for name in columns]))
+        for name in names:
+            with self.subTest(name), self.assertRaisesRegex(ValueError, f"^{name}: 1 values are masked"):
+                sins.trajectory(**{**every, name: masked})
+        for name in columns:
+            with self.subTest(table=name), self.assertRaisesRegex(ValueError, f"^{name}: 1 values are masked"):
+                table.mask = False
+                table[name][1] = np.ma.masked
+                sins.trajectory(table)
+        for function in FLIES:
+            with self.subTest(function.__name__), self.assertRaisesRegex(ValueError, "gyro.bias_deg_h: 1 values are masked"):
+                function("patrol", hours=0.01, gyro={"bias_deg_h": masked})
+            with self.subTest(function.__name__), self.assertRaisesRegex(ValueError, "flight.hours: 1 values are masked"):
+                function("patrol", hours=np.ma.masked)
+        with sins.Flight("patrol", hours=0.01) as flight:
+            flight.fly(1.0)
+            for name in CORRECTIONS:
+                with self.subTest(name), self.assertRaisesRegex(ValueError, f"^{name}: 1 values are masked"):
+                    flight.correct(**{name: masked})
+            flight.correct(gyro_bias_rad_s=np.ma.array([0.0, 0.0, 0.0]))
+
+    def test_arrays_are_settings(self):
+        expected = sins.fly("patrol", hours=0.01, gyro={"bias_deg_h": [1, 2, 3]}, options={"seed": 3}).records
+        for bias in (np.array([1.0, 2.0, 3.0]), (1, 2, 3), pandas.Series([1, 2, 3]), [np.float64(1), np.array(2), 3]):
+            self.assertTrue((sins.fly("patrol", hours=np.array(0.01), gyro={"bias_deg_h": bias}, options={"seed": np.int64(3)}).records
+                             == expected).all())
 
     def test_plots_and_words(self):
         run = sins.fly("racetrack", hours=0.05, options={"error_model": "rk4"}, **GRADE)
@@ -132,7 +196,162 @@ class Flights(unittest.TestCase):
         self.assertRaisesRegex(AttributeError, "in sins.c", lambda: sins.create)
 
 
+    def test_the_version_is_that_of_the_library(self):
+        self.assertEqual(sins.__version__, c.version_string())
+        self.assertIn("__version__", dir(sins))
+        said = subprocess.run([PROGRAM, "--version"], check=True, capture_output=True, text=True).stdout
+        self.assertIn(sins.__version__, said.split())
+
+
+class Copies(unittest.TestCase):
+    """Of every class of the package: a copy is one that works alone, or a TypeError."""
+
+    WAYS = [copy.copy, copy.deepcopy,
+            *(lambda made, protocol=protocol: pickle.loads(pickle.dumps(made, protocol)) for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1))]
+
+    def test_each_class(self):
+        truth = sins.trajectory(log("fighter_aerobatics.csv"))
+        drawn = sins.ensemble("racetrack", hours=0.01, runs=3, **GRADE)
+
+        def record(run):
+            return [run.records.tobytes(), repr(run)]
+
+        uses = {
+            "Run": (sins.fly("racetrack", hours=0.01, **GRADE), record),
+            "Ensemble": (drawn, lambda one: [one.position_error_m.tobytes(), one.first_run, repr(one)]),
+            "Figures": (drawn.figures(), repr),
+            "Trajectory": (truth, lambda one: record(sins.fly(one, **GRADE))),
+            "Budget": (sins.budget("racetrack", hours=0.01, gyro={"bias_deg_h": 1}), lambda one: [str(one), bytes(one.whole)]),
+            "Recommendation": (sins.recommend("aerobatics", hours=0.01, position_m=1), lambda one: [one.options, bytes(one.cost)]),
+        }
+        every = {name for name in sins.__all__ if isinstance(getattr(sins, name), type)}
+        self.assertEqual(every, {*uses, "Flight", "Error"})
+        for name, (made, use) in uses.items():
+            expected = use(made)
+            for copies in self.WAYS:
+                with self.subTest(name):
+                    other = copies(made)
+                    self.assertIs(type(other), type(made))
+                    self.assertEqual(use(other), expected)
+                    del other
+                    self.assertEqual(use(made), expected)
+
+    def test_a_flight_has_no_copy(self):
+        with sins.Flight("racetrack", hours=0.01, **GRADE) as flight:
+            for copies in self.WAYS:
+                self.assertRaisesRegex(TypeError, "a sins.Flight can be neither copied nor pickled", copies, flight)
+                self.assertRaisesRegex(TypeError, "a sins.scene can be neither copied nor pickled", copies, sins._scene.Scene("patrol", None, {}).handle)
+            self.assertEqual(len(flight.fly()), round(36 / flight.period_s))
+
+    def test_errors_come_back_from_processes(self):
+        for arguments in ({"gyro": {"bias_deg_h": 1e12}}, {"gyro": {"bais": 1, "bies": 2}}, {"foo": {}}):
+            with self.assertRaises(sins.Error) as here:
+                sins.fly("patrol", **arguments)
+            with ProcessPoolExecutor(1) as pool, self.assertRaises(sins.Error) as there:
+                pool.submit(sins.fly, "patrol", **arguments).result()
+            self.assertEqual((str(there.exception), there.exception.status), (str(here.exception), here.exception.status))
+            self.assertEqual(list(map(bytes, there.exception.faults)), list(map(bytes, here.exception.faults)))
+
+
+class Interrupts(unittest.TestCase):
+    """Ctrl-C is answered while the library computes. Each call would take more than 20 s; 5 s is for a busy machine."""
+
+    def interrupted(self, call):
+        def press():
+            pressed.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        pressed, self.before = [], set(threading.enumerate())
+        timer = threading.Timer(0.7, press)
+        timer.start()
+        try:
+            self.assertRaises(KeyboardInterrupt, call)
+        finally:
+            timer.cancel()
+        self.assertLess(time.monotonic() - pressed[0], 5)
+
+    def ended(self):
+        """The threads of an interrupted call end too."""
+        began = time.monotonic()
+        while new := set(threading.enumerate()) - self.before:
+            self.assertLess(time.monotonic() - began, 15, new)
+            time.sleep(0.01)
+
+    def at_rest(self, samples):
+        return sins.trajectory(time_s=np.arange(samples) / 100, latitude_deg=40, longitude_deg=10, height_m=0, roll_deg=0, pitch_deg=0,
+                               heading_deg=0)
+
+    def test_flights(self):
+        for settings in (LONG, {"hours": 20, "every_s": 3600, "options": {"error_model": "rk4", "covariance": True}}):
+            self.interrupted(lambda: sins.fly("racetrack", **settings, **GRADE))
+            self.ended()
+
+    def test_a_flight_in_stretches_goes_on_from_where_it_was_interrupted(self):
+        with sins.Flight("racetrack", **LONG, **GRADE) as flight, sins.Flight("racetrack", **LONG, **GRADE) as other:
+            self.interrupted(lambda: flight.fly(70_000))
+            at_s = flight.record["time_s"]
+            self.assertLess(at_s, 60_000)
+            other.fly(at_s)
+            self.assertEqual(other.record, flight.record)
+            self.assertEqual(flight.fly(2.0).tobytes(), other.fly(2.0).tobytes())
+
+    def test_ensembles(self):
+        update = '\n[[update]]\nkind = "position"\nat_s = 60\nsigma_m = 10\n'
+        scenes = {"plain": "racetrack", "unit": DAY, "plan": f'[flight]\nbuiltin = "racetrack"\n{update}'}
+        for name, flown in scenes.items():
+            for times in (2, 200):
+                with self.subTest(name, times=times):
+                    self.interrupted(lambda: sins.ensemble(flown, hours=1, runs=2000, times=times, **GRADE))
+                    self.ended()
+
+    def test_analyses(self):
+        flown = self.at_rest(2_000_000)
+        before = flown.samples.copy()
+        self.interrupted(lambda: sins.budget(flown, runs=100, **GRADE))
+        self.ended()
+        self.assertTrue((flown.samples == before).all())
+        flown = self.at_rest(360_000)
+        self.interrupted(lambda: sins.recommend(flown, position_m=1e-12))
+
+    def test_the_size_of_pieces_changes_no_bit(self):
+        def flown():
+            with sins.Flight("racetrack", hours=0.01, **GRADE) as flight:
+                return [flight.fly().tobytes(), flight.record.tobytes(), sins.fly("racetrack", hours=0.01, every_s=0.05, **GRADE).records.tobytes(),
+                        sins.ensemble("racetrack", hours=0.01, runs=5, threads=2, times=9, **GRADE).position_error_m.tobytes()]
+
+        expected = flown()
+        for intervals in (1, 7, 100):
+            with mock.patch("sins._flight.INTERVALS", intervals), mock.patch("sins._ensemble.INTERVALS", intervals):
+                self.assertEqual(flown(), expected)
+
+    def test_an_error_of_an_ensemble_names_the_sample_of_the_flight(self):
+        frame = log("fighter_aerobatics.csv")
+        frame.loc[20_000:, "latitude_rad"] += 0.1
+        truth = sins.trajectory(frame)
+        self.assertRaisesRegex(sins.Error, r"\(samples\[20000\]\)$", sins.ensemble, truth, runs=3, **GRADE)
+
+
 class Ensembles(unittest.TestCase):
+    def test_equal_runs_are_refused_as_by_the_program(self):
+        """One run, and each random thing alone, is flown."""
+        failure = '\n[[failure]]\nsensor = "gyro"\naxis = "x"\nkind = "noise"\ndensity_deg_sqrt_h = 1\nfrom_s = 6\n'
+        update = '\n[[update]]\nkind = "position"\nat_s = 6\nsigma_m = 1\n'
+        head = '[flight]\nbuiltin = "racetrack"\nhours = 0.01\n'
+        for scene, is_random in ((head, False), (head + "[gyro]\nbias_deg_h = 1\n", False), (head + "[gyro]\nbias_sigma_deg_h = 1\n", True),
+                                 (head + "[altimeter]\nnoise_m = 1\n", True), (head + failure, True), (head + update, True),
+                                 (head + update.replace("sigma_m = 1", "sigma_m = 0"), False)):
+            with self.subTest(scene), tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder, "scene.toml")
+                path.write_text(scene)
+                by_program = subprocess.run([PROGRAM, "ensemble", path, "--runs", "2", "--quiet", "--out", folder], capture_output=True, text=True)
+                self.assertEqual(by_program.returncode == 0, is_random, by_program.stderr)
+                self.assertEqual(len(sins.ensemble(path, runs=1)), 1)
+                if is_random:
+                    self.assertGreater(np.ptp(sins.ensemble(path, runs=2).position_error_m[:, -1, 0]), 0)
+                else:
+                    self.assertIn("nothing is random in this scene: all runs would be equal", by_program.stderr)
+                    self.assertRaisesRegex(ValueError, "nothing is random in this scene: all runs would be equal", sins.ensemble, path, runs=2)
+
     def test_run_k_is_the_flight_with_run_k(self):
         failure = '\n[[failure]]\nsensor = "gyro"\naxis = "x"\nkind = "stuck"\nfrom_s = 60\n'
         scenes = {
@@ -216,6 +435,30 @@ class Increments(unittest.TestCase):
             after = flight.record["navigation_errors"]
             for name in ("position_enu_m", "velocity_enu_m_s", "misalignment_enu_rad"):
                 self.assertLess(np.abs(after[name]).max(), 1e-4 * np.abs(before[name]).max(), name)
+
+
+    def test_a_wrong_correction_is_told_and_changes_nothing(self):
+        with sins.Flight("racetrack", hours=0.01, **GRADE) as flight:
+            flight.fly(3.0)
+            before = flight.record
+            for name in CORRECTIONS:
+                for value, error, sentence in (
+                    ([0, 0], ValueError, rf"^{name} has the shape \(2,\): expected \(3,\)"),
+                    ([0, 0, 0, 0], ValueError, rf"^{name} has the shape \(4,\)"),
+                    ([[0, 0, 0]], ValueError, rf"^{name} has the shape \(1, 3\)"),
+                    (1.0, ValueError, rf"^{name} has the shape \(\)"),
+                    ([], ValueError, rf"^{name} has the shape \(0,\)"),
+                    (None, (TypeError, ValueError), rf"^{name}"),
+                    ("abc", TypeError, rf"^{name}: not numbers"),
+                    ([0, 0, 1j], TypeError, rf"^{name}: not numbers"),
+                    ([0, float("nan"), 0], sins.Error, rf"{name}\[1\] = NaN: must be"),
+                    ([0, 0, 1e300], sins.Error, rf"{name}\[2\] = 1e300: must be"),
+                ):
+                    with self.subTest(name, value=value), self.assertRaisesRegex(error, sentence):
+                        flight.correct(**{name: value})
+                self.assertRaisesRegex(TypeError, f"no such error: {name}s; did you mean {name}", flight.correct, **{f"{name}s": [0, 0, 0]})
+            self.assertRaisesRegex(TypeError, "no such error: struct_size", flight.correct, struct_size=[0, 0, 0])
+            self.assertEqual(flight.record, before)
 
 
 class Analysis(unittest.TestCase):

@@ -3,9 +3,11 @@
 Needs SINS_LIBRARY, PYTHONPATH, pycparser and numpy: see tests/hosts.sh.
 """
 
+import copy
 import ctypes
 import os
 import pathlib
+import pickle
 import re
 import subprocess
 import sys
@@ -28,6 +30,16 @@ GNU = ["__attribute__(x)", "__asm__(x)", "__extension__", "__restrict"]
 
 def run(*command):
     return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True).stdout
+
+
+# The ways to copy an object.
+COPIES = [copy.copy, copy.deepcopy,
+          *(lambda made, protocol=protocol: pickle.loads(pickle.dumps(made, protocol)) for protocol in range(pickle.HIGHEST_PROTOCOL + 1))]
+
+
+def classes(base):
+    """The classes of the module that are made of another one."""
+    return [one for one in vars(sins).values() if isinstance(one, type) and issubclass(one, base) and one is not base]
 
 
 def plain(name):
@@ -182,6 +194,67 @@ class Calls(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, r"gyro_params.bias_rad_s = \(1, 2, 3, 4\)"):
             sins.gyro_params(bias_rad_s=(1, 2, 3, 4))
         self.assertRaises(AttributeError, sins.gyro_params, bais_rad_s=(0, 0, 0))
+
+    def test_an_array_in_a_struct_gets_all_its_elements(self):
+        """Of every array of every struct; fewer would leave the others 0 without a word."""
+        checked = 0
+        for struct in classes(sins._Struct):
+            for name, kind in struct._fields_:
+                if not issubclass(kind, ctypes.Array) or kind._type_ is ctypes.c_char:
+                    continue
+                elements = [kind._type_()] * kind._length_
+                self.assertEqual(len(getattr(struct(**{name: tuple(elements)}), name)), kind._length_)
+                for wrong in (elements[1:], elements + elements[:1], (), 0.0):
+                    with self.assertRaisesRegex(TypeError, rf"^{struct.__name__}\.{name} = "):
+                        struct(**{name: tuple(wrong) if isinstance(wrong, list) else wrong})
+                checked += 1
+        self.assertGreater(checked, 100)
+
+    def test_masked_values_do_not_reach_the_library(self):
+        masked = numpy.ma.array([1.0, 2.0, 3.0], mask=[False, True, False])
+        with self.assertRaisesRegex(ValueError, "gyro_params.bias_rad_s: 1 values are masked"):
+            sins.gyro_params(bias_rad_s=masked)
+        self.assertEqual(sins.gyro_params(bias_rad_s=numpy.ma.array([1.0, 2.0, 3.0])).bias_rad_s[1], 2)
+        samples = numpy.ma.array(self.samples)
+        sins.run(self.sim, samples, 0, None)
+        samples["height_m"][3] = numpy.ma.masked
+        with self.assertRaisesRegex(ValueError, "array of sins.flight_sample: 1 values are masked"):
+            sins.log_create(samples)
+
+    def test_copies(self):
+        """A handle has no copy: it would destroy what the other stands for. A struct is copied."""
+        for handle in classes(sins._Handle):
+            for made in (handle(), handle(12345)):
+                made.is_lent = True  # 12345 is not destroyed
+                for copies in COPIES:
+                    with self.assertRaisesRegex(TypeError, f"a sins.{handle.__name__} can be neither copied nor pickled"):
+                        copies(made)
+                    with self.assertRaisesRegex(TypeError, f"a sins.{handle.__name__} can be neither copied nor pickled"):
+                        copies([{"in": made}]) if copies is not copy.copy else copies(made)
+        for struct in classes(sins._Struct):
+            made = struct.from_buffer_copy(bytes(range(256)) * (ctypes.sizeof(struct) // 256 + 1))
+            for copies in COPIES:
+                other = copies(made)
+                self.assertIs(type(other), struct)
+                self.assertEqual(bytes(other), bytes(made))
+                ctypes.memset(ctypes.addressof(other), 0, 4)
+                self.assertNotEqual(bytes(other), bytes(made), "it has the same memory")
+
+    def test_an_error_is_pickled_as_it_is(self):
+        faulty = '[flight]\nbuiltin = "rest"\n[gyro]\nbais_deg_h = 1\nbias_deg_h = "x"\n'
+        for call in (lambda: sins.scene_parse(faulty), lambda: sins.step(sins.sim()),
+                     lambda: sins.recommend(self.sim, self.samples, sins.requirement(position_m=1e-12))):
+            with self.assertRaises(sins.Error) as caught:
+                call()
+            error = caught.exception
+            error.args = (f"new words: {error}",)
+            error.note = 3
+            for copies in COPIES:
+                other = copies(error)
+                self.assertEqual((type(other), str(other), other.status, other.note), (type(error), str(error), error.status, 3))
+                self.assertEqual(bytes(other.info), bytes(error.info))
+                for of_other, of_error in ((other.faults, error.faults), (other.outputs, error.outputs)):
+                    self.assertEqual(list(map(bytes, of_other)), list(map(bytes, of_error)))
 
     def test_an_error_has_the_sentence_and_its_parts(self):
         with self.assertRaises(sins.Error) as caught:
