@@ -1,9 +1,9 @@
 # Packages for Debian and for RPM of what is installed, by CPack: docs/packages.md, "Package managers".
 #
-#   cpack --config target/cmake/CPackConfig.cmake -G DEB -B target/dist
+#   cpack --config target/cpack/CPackConfig.cmake -G DEB -B target/dist
 set(run_time libsins${abi})
 set(revision 1)
-set(contact "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>") # of Debian's own tools
+set(contact "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>") # of Debian's own tools, at the time of `cmake -B`
 if(contact STREQUAL " <>")
     cmake_host_system_information(RESULT host QUERY FQDN)
     set(contact "sins <sins@${host}>")

@@ -46,8 +46,8 @@ ELSEWHERE = {
     "./minimal": "tests/packages.sh",
     "tar xf sins-0.1.0-linux-x86_64.tar.gz": "tests/packages.sh",
     "cmake -B target/cmake && ": "tests/install.sh",
-    "cmake -B target/cmake -DCMAKE_SYSTEM_NAME=Windows ": "tests/install.sh",
-    "cmake -B target/cmake -DCMAKE_INSTALL_PREFIX=/usr ": "tests/package_managers.sh",
+    "cmake -B target/cmake_mingw -DCMAKE_SYSTEM_NAME=Windows ": "tests/install.sh",
+    "cmake -B target/cpack -DCMAKE_INSTALL_PREFIX=/usr ": "tests/package_managers.sh",
     "i686-w64-mingw32-gcc ": "tests/loading.sh",
     "i686-w64-mingw32-gfortran ": "fortran_windows of tests/hosts.sh",
     "mpicc ": "tests/mpi.sh",
@@ -202,7 +202,19 @@ def run_page(path, built, folder):
     return count, interrupted, lacking, used
 
 
+def check_folders():
+    """A folder in which CMake builds has the same options in every command that makes it: CMake keeps those of the first."""
+    options, texts = {}, [path.read_text() for path in PAGES]
+    for folder, given in re.findall(r"^    cmake -B (\S+)(.*?)(?: && .*)?$", "\n".join(texts), re.MULTILINE):
+        if options.setdefault(folder, given) != given:
+            sys.exit(f"cmake -B {folder}: with{given or 'out options'}, and with{options[folder] or 'out options'}")
+    for folder in re.findall(r"--config (\S+)/CPackConfig.cmake", "\n".join(texts)):
+        if "-DCMAKE_INSTALL_PREFIX=/usr" not in options.get(folder, ""):
+            sys.exit(f"cpack packs {folder}, which no command configures for packages")
+
+
 def main():
+    check_folders()
     built, folder = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
     shutil.rmtree(folder, ignore_errors=True)
     with ThreadPoolExecutor(os.cpu_count()) as pages:
