@@ -19,8 +19,8 @@ def in_background(call: Callable[[], Any], stop: Callable[[], Any] = bool) -> An
         except BaseException as error:
             future.set_exception(error)
 
-    threading.Thread(target=work, name="sins", daemon=True).start()
     try:
+        threading.Thread(target=work, name="sins", daemon=True).start()
         while not future.done():
             wait([future], 0.1)  # without a limit, Windows would answer at its end
     except BaseException:
