@@ -42,3 +42,47 @@ export async function processor_times(browser, act) {
     const [pages, workers] = [times_ms(named("CrRendererMain")), times_ms(named("DedicatedWorker thread"))];
     return { tasks: pages.length, longest_ms: Math.max(...pages), workers_ms: workers.reduce((sum, own) => sum + own, 0) };
 }
+
+/** What the content security policy of a page at an address keeps a foreign text within it from doing: the directives, and what it did. */
+export async function kept_from(browser, address) {
+    const page = await browser.newPage(), requests = [];
+    const keep = (request, error = "") => error === "csp" || /^(file|data|blob):/.test(request.url()) || requests.push(`${request.url()} ${error}`);
+    page.on("requestfinished", (request) => keep(request));
+    page.on("requestfailed", (request) => keep(request, request.failure().errorText));
+    await page.goto(address);
+    const found = await page.evaluate(async () => {
+        const directives = new Set(), add = (tag, values) => document.body.append(Object.assign(document.createElement(tag), values));
+        document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => directives.add(effectiveDirective));
+        const fetched = await fetch("https://sins.test/").then(() => true, () => false);
+        const worker = await new Promise((done) => {
+            try {
+                const own = new Worker(URL.createObjectURL(new Blob(['fetch("https://sins.test/").then(() => postMessage(true), () => postMessage(false))'])));
+                [own.onmessage, own.onerror] = [({ data }) => done(data), () => done(false)];
+            } catch {
+                done(false);
+            }
+        });
+        add("img", { src: "https://sins.test/image.png" });
+        add("iframe", { src: "https://sins.test/" });
+        add("script", { textContent: "window.ran = true" });
+        add("script", { src: "https://sins.test/script.js" });
+        add("style", { textContent: "body { color: red }" });
+        add("p", { innerHTML: '<b style="color: red" onclick="window.ran = true">x</b>' });
+        document.querySelector("p b[onclick]").click();
+        document.head.append(Object.assign(document.createElement("base"), { href: "https://sins.test/" }));
+        await new Promise((done) => setTimeout(done, 500));
+        return { directives: [...directives].sort(), did: [fetched, worker, Boolean(window.ran), getComputedStyle(document.querySelector("p b[onclick]")).color === "rgb(255, 0, 0)"] };
+    });
+    await page.close();
+    return { ...found, requests };
+}
+
+/** From everything; a page may have workers of its own. */
+export const KEPT = {
+    directives: ["base-uri", "connect-src", "frame-src", "img-src", "script-src-attr", "script-src-elem", "style-src-attr", "style-src-elem"],
+    did: [false, false, false, false],
+    requests: [],
+};
+
+/** From everything, workers too. */
+export const KEPT_WITH_WORKERS = { ...KEPT, directives: [...KEPT.directives, "worker-src"].sort() };

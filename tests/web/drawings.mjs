@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { browser } from "./browser.mjs";
+import { browser, kept_from } from "./browser.mjs";
 
 const { SINS } = process.env;
 export const out = resolve("target/web/pages");
@@ -30,6 +30,9 @@ export async function opened(context, name, options = {}) {
     await page.goto(pathToFileURL(`${out}/${name}.html`).href);
     return page;
 }
+
+/** What the policy of a page keeps a foreign text within it from doing. */
+export const policy_of = (name) => kept_from(chromium, pathToFileURL(`${out}/${name}.html`).href);
 
 export const caption_of = (own) => own.locator(".caption").innerHTML();
 export const text_of = (own) => own.locator(".caption").evaluate((caption) => caption.textContent);

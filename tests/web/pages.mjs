@@ -7,7 +7,8 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 
-import { caption_of, opened, out, point, rows_of, saved, sins, start, stop, text_of } from "./drawings.mjs";
+import { KEPT_WITH_WORKERS } from "./browser.mjs";
+import { caption_of, opened, out, point, policy_of, rows_of, saved, sins, start, stop, text_of } from "./drawings.mjs";
 
 const MOST_BYTES = 8192;
 
@@ -133,7 +134,8 @@ test("a drawing is saved as SVG, and its data as CSV", async (context) => {
     const page = await opened(context, "report"), figure = page.locator("figure", { has: page.locator('.caption:text("position east")') }).first();
     const [svg_name, svg] = await saved(page, figure, "svg");
     assert.match(svg_name, /\.svg$/);
-    const size = await page.evaluate((text) => new Promise((done) => {
+    const alone = await page.context().newPage(); // the policy of the page permits no image
+    const size = await alone.evaluate((text) => new Promise((done) => {
         const faults = new DOMParser().parseFromString(text, "image/svg+xml").querySelectorAll("parsererror").length, image = new Image();
         image.onload = () => done([faults, image.naturalWidth, image.naturalHeight]);
         image.onerror = () => done(null);
@@ -180,4 +182,8 @@ test("every panel of every page answers; dark, 400 pixels and print stay", async
             for (const what of [".save", ".help"]) assert.equal(await page.locator(what).first().isVisible(), false);
         }
     }
+});
+
+test("a page runs its own script and nothing else, and loads nothing", async () => {
+    for (const name of ["report", "one", "five", "simulation2_ensemble"]) assert.deepEqual(await policy_of(name), KEPT_WITH_WORKERS, name);
 });

@@ -11,7 +11,8 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import test, { after, before } from "node:test";
 
-import { opened, out, point, rows_of, saved, sins, start, stop, table, text_of } from "./drawings.mjs";
+import { KEPT_WITH_WORKERS } from "./browser.mjs";
+import { opened, out, point, policy_of, rows_of, saved, sins, start, stop, table, text_of } from "./drawings.mjs";
 
 const FLIGHTS = resolve("c_examples/flights"), LIVE_S = 60;
 const PAGES = ["budget/budget", "curve/curve", "allan", "live/live", "warned", "warned_ensemble"];
@@ -271,4 +272,8 @@ test("what a reader must know stands in words above the curves, and at the foot 
         const order = name.split("/")[0].replace("warned_", "").replace("warned", "report");
         assert.match(foot, new RegExp(`Written on \\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d UTC by sins \\d+\\.\\d+\\.\\d+: sins ${order} [^]*thread`), name);
     }
+});
+
+test("these pages too run their own script and nothing else, and load nothing", async () => {
+    for (const name of PAGES) assert.deepEqual(await policy_of(name), KEPT_WITH_WORKERS, name);
 });

@@ -5,6 +5,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::figure::Figure;
 use super::foot::foot;
 use super::pen::Pen;
+use super::policy::policy;
 use super::script::script;
 
 /// The style of drawings, which the script copies into files, and that of the page.
@@ -20,7 +21,7 @@ pub const PAGE_MARK: &str = "<meta name=\"generator\" content=\"sins\">";
 /// `body` as a page that needs nothing from outside.
 pub fn document(title: &str, body: &Markup) -> String {
     let body = body.clone().into_string();
-    let has_panels = body.contains("<g class=\"panel\"");
+    let script = body.contains("<g class=\"panel\"").then(script);
     let markup = html! {
         (DOCTYPE)
         html lang="en" {
@@ -29,14 +30,15 @@ pub fn document(title: &str, body: &Markup) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 meta name="generator" content="sins";
+                meta http-equiv="Content-Security-Policy" content=(policy(script.as_deref(), &STYLES));
                 title { (title) }
                 @for style in STYLES { style { (PreEscaped(style)) } }
             }
             body {
                 (PreEscaped(&body))
-                @if has_panels { p.help hidden { (HELP) } }
+                @if script.is_some() { p.help hidden { (HELP) } }
                 (foot())
-                @if has_panels { script { (PreEscaped(script())) } }
+                @if let Some(script) = &script { script { (PreEscaped(script)) } }
             }
         }
     };

@@ -8,6 +8,7 @@ pub mod file;
 mod foot;
 pub mod pen;
 pub mod plot;
+mod policy;
 pub mod scales;
 mod script;
 pub mod series;
