@@ -6,6 +6,7 @@ import { FAILED, FINISHED, FLYING, PAUSED } from "./flight.mjs";
 import { DEGREE, Indicator, Panel } from "./instruments.mjs";
 import { Track } from "./map.mjs";
 import { element, options, parts, shown, text } from "./texts.mjs";
+import { log_of } from "./trajectory.mjs";
 
 const PACES = [1, 10, 100, 1000, 0]; // in the order of the text "paces"
 const NMI_H = 1852 / 3600;
@@ -71,9 +72,9 @@ export class Display {
 
     /** What keeps the flight from its start, or "". */
     obstacle() {
-        const { scene } = this, file = scene.is_log ? scene.get("flight.file") : null;
+        const { scene } = this, log = log_of(scene);
         if (scene.faults.length) return text("not_in_flight");
-        return file === null || file.split(/[\\/]/).at(-1) === this.log_name ? "" : text("log_missing", file);
+        return log === null || log === this.log_name ? "" : text("log_missing", scene.get("flight.file"));
     }
 
     async fly() {
@@ -85,6 +86,7 @@ export class Display {
         try {
             await this.pilot.ask("start", { text: this.flown_text, pace: Number(this.pace.value) });
         } catch (fault) {
+            this.scene.refuse(fault);
             this.say(this.scene.told(fault), true);
         }
     }
@@ -190,9 +192,12 @@ export class Display {
             const path = await this.pilot.ask("path", { text: written });
             if (written !== this.previewed) return;
             this.path = path;
+            this.scene.refuse(null);
             if (this.said === this.said_of_path || performance.now() > this.said?.until_ms) this.said = null;
         } catch (fault) {
+            if (written !== this.previewed) return;
             this.path = null;
+            this.scene.refuse(fault);
             if (!this.now || this.now.state > PAUSED) this.say_of_path(this.scene.told(fault));
         }
         if (!this.points) this.draw();

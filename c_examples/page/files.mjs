@@ -34,8 +34,24 @@ export function on_drop(take) {
     });
 }
 
-/** Bytes, or a blob, through a compressor or its counterpart. */
-const through = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+/** Longest text of a scene that the library reads [bytes]. */
+const MOST_OF_TEXT = 1 << 20;
+
+/** The text of a file; of one that is too long, what the library needs to say so. */
+export const text_of = (file) => file.slice(0, MOST_OF_TEXT + 1).text();
+
+/** Bytes, or a blob, through a compressor or its counterpart. Throws if there are more than `most`: a short link may unpack to much. */
+async function through(bytes, stream, most = Infinity) {
+    const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader(), pieces = [];
+    for (let size = 0; size <= most; ) {
+        const { done, value } = await reader.read();
+        if (done) return new Uint8Array(await new Blob(pieces).arrayBuffer());
+        size += value.length;
+        pieces.push(value);
+    }
+    await reader.cancel();
+    throw new Error(`more than ${most} bytes`);
+}
 
 /** Letters of base64 that are read at once, so that the page does not stand still. */
 const PIECE_OF_BASE64 = 1 << 17;
@@ -62,5 +78,5 @@ export async function to_link(text) {
 /** The text of a part of an address. Throws if it is none. */
 export async function of_link(part) {
     const bytes = bytes_of(part.replaceAll("-", "+").replaceAll("_", "/"));
-    return new TextDecoder("utf-8", { fatal: true }).decode(await through(bytes, new DecompressionStream("deflate-raw")));
+    return new TextDecoder("utf-8", { fatal: true }).decode(await through(bytes, new DecompressionStream("deflate-raw"), MOST_OF_TEXT));
 }

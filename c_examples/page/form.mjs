@@ -47,7 +47,7 @@ export function row(scene, key, path, changed) {
 export function fields(scene, keys) {
     const rows = keys.map((key) => row(scene, key, key.path, (value) => scene.set({ [key.path]: value })));
     const made = element("div", { class: "rows" }, ...rows.map((own) => own.made));
-    made.refresh = () => rows.forEach((own) => own.show(scene.get(own.path), scene.faults));
+    made.refresh = () => rows.forEach((own) => own.show(scene.get(own.path), [...scene.faults, ...scene.refused]));
     return made;
 }
 

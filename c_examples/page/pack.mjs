@@ -1,6 +1,7 @@
 // Packs the page into one file: node pack.mjs FOLDER UPLOT OUT.html, with sins.mjs, sins.wasm and licences in FOLDER, and the files of uPlot
 // in UPLOT. The modules become one script, in which each name exists once; the page and its workers run it.
 
+import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -34,9 +35,14 @@ const licences = [
     ...readdirSync(join(folder, "licences")).map((name) => `${name}\n\n${read(folder, "licences", name).replace(/<style[^]*?<\/style>|<[^>]+>/g, "")}`),
 ];
 const program = [read(uplot, "uPlot.iife.min.js"), ...[...modules("page.mjs").values()].map(within)].join("\n");
+const style = `\n${read(uplot, "uPlot.min.css")}\n${read(own, "page.css")}`, script = `\n"use strict";\n{\n${program}\n}\n`;
+const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
+/** Nothing but these two texts, the library and the worker, which is the same script: no network. */
+const policy = `default-src 'none'; script-src ${hash(script)} 'wasm-unsafe-eval'; worker-src blob:; style-src ${hash(style)}; base-uri 'none'; form-action 'none'`;
 const page = read(own, "page.html")
-    .replace("<!-- style -->", () => `<style>\n${read(uplot, "uPlot.min.css")}\n${read(own, "page.css")}</style>`)
+    .replace("<!-- policy -->", () => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`)
+    .replace("<!-- style -->", () => `<style>${style}</style>`)
     .replace("<!-- data -->", () => [data("en", texts("en")), data("zh", texts("zh")), data("licences", gzip(licences.join("\n\n"))), data("library", gzip(readFileSync(join(folder, "sins.wasm"))))].join("\n"))
-    .replace("<!-- program -->", () => data("program", `\n"use strict";\n{\n${program}\n}\n`, "text/javascript"));
+    .replace("<!-- program -->", () => data("program", script, "text/javascript"));
 writeFileSync(out, page);
 console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);

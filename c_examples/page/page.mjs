@@ -3,7 +3,7 @@
 import { load } from "sins";
 import { Cost } from "./cost.mjs";
 import { Display } from "./display.mjs";
-import { of_link, on_drop, choose, save, to_link, unpacked } from "./files.mjs";
+import { of_link, on_drop, choose, save, text_of, to_link, unpacked } from "./files.mjs";
 import { fields, group, items, presets, section_name } from "./form.mjs";
 import { Scene } from "./scene.mjs";
 import { element, language, options, parts, read_texts, speak, text } from "./texts.mjs";
@@ -20,6 +20,7 @@ class Page {
         this.scene = new Scene(sins);
         this.pilot = new Colleague(this.address, module);
         this.scene.addEventListener("change", ({ source }) => this.on_change(source));
+        this.scene.addEventListener("refused", () => refresh_within(this.panels[this.tab].panel));
         on_drop((file) => this.take_file(file));
         addEventListener("hashchange", () => this.open_link());
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.display.draw() ?? this.cost.draw());
@@ -168,7 +169,7 @@ class Page {
                 const [fault] = fly_log(scene, file.name);
                 display.say(fault ? scene.told(fault) : text("log_read", file.name, samples, shown_s(duration_s)), Boolean(fault));
             } else {
-                const written = await file.text();
+                const written = await text_of(file);
                 this.text.value = written;
                 display.say("");
                 if (!scene.parse(written)) display.say(`${file.name}: ${scene.told(scene.faults[0])}`, true);
@@ -192,10 +193,10 @@ class Page {
 
     /** Opens the scene of the address: #scene=..., or #NAME of a built-in scene. */
     async open_link() {
-        const { scene } = this, [, packed] = /^#scene=(.+)$/.exec(location.hash) ?? [], name = decodeURIComponent(location.hash.slice(1));
-        if (location.hash === this.linked || name === "") return;
+        const { scene } = this, { hash } = location, [, packed] = /^#scene=(.+)$/.exec(hash) ?? [];
+        if (hash === this.linked || hash === "") return;
         try {
-            if (packed === undefined) return scene.open(scene.sins.scene_create_builtin(name));
+            if (packed === undefined) return scene.open(scene.sins.scene_create_builtin(decodeURIComponent(hash.slice(1))));
             const written = await of_link(packed);
             this.text.value = written;
             if (!scene.parse(written)) this.display.say(scene.told(scene.faults[0]), true);

@@ -15,7 +15,8 @@ export class Scene extends EventTarget {
             this.keys.push({ ...key.copy(), path: `${key.section}.${key.name}` });
         } while (this.keys.length < Number(key.count));
         this.by_path = new Map(this.keys.map((own) => [own.path, own]));
-        this.faults = [];
+        this.by_si = new Map(this.keys.filter((own) => own.si_name).map((own) => [`${own.section}.${own.si_name}`, own]));
+        [this.faults, this.refused] = [[], []];
         this.open(sins.scene_create_builtin("simulation2"));
     }
 
@@ -41,7 +42,35 @@ export class Scene extends EventTarget {
 
     /** The sentence of a fault in the language of the user. */
     told(fault) {
-        return told(fault, (path) => this.meaning(path), this.sins);
+        return told(this.on_page(fault), (path) => this.meaning(path), this.sins);
+    }
+
+    /** A fault as one of the field on the page: with its key, and its numbers in its unit. Errors of the library are in SI. */
+    on_page(fault) {
+        const { path = "", sentence = "", flags = 0, minimum, maximum } = fault, plain = path.replace(/\[\d+\]/g, "");
+        const of_si = this.by_si.get(plain), key = of_si ?? this.by_path.get(plain), size = of_si?.si_per_unit ?? 1;
+        if (fault.unit !== undefined || !key?.unit) return fault;
+        const { ERROR_INFO_MINIMUM, ERROR_INFO_MAXIMUM } = this.sins, unit = unit_name(key);
+        const limits = [[ERROR_INFO_MINIMUM, minimum], [ERROR_INFO_MAXIMUM, maximum]].filter(([flag]) => flags & flag).map(([, limit]) => limit);
+        const in_unit = (written) => (of_si && Number.isFinite(Number(written)) ? shown(Number(written) / size, 6) : written);
+        const [, name = "", value = "", rule = sentence] = /^(\S+) = (\S+): (.*)$/s.exec(sentence) ?? [];
+        const is_limit = ([written]) => limits.some((limit) => Math.abs(Number(written) - limit) <= 1e-5 * Math.abs(limit));
+        const numbers = [...rule.matchAll(/(?<![\w.[])-?\d[\d.]*(?:e-?\d+)?(?!\w)/g)].filter(is_limit);
+        const parts = numbers.map((own, k) => {
+            const begin = k === 0 ? 0 : numbers[k - 1].index + numbers[k - 1][0].length;
+            return rule.slice(begin, own.index) + in_unit(own[0]);
+        });
+        const end = numbers.length ? ` ${unit}${rule.slice(numbers.at(-1).index + numbers.at(-1)[0].length)}` : rule;
+        const head = name && `${of_si ? name.replace(path, key.path) : name} = ${in_unit(value)}: `;
+        const own = { value: fault.value / size, minimum: minimum / size, maximum: maximum / size, unit };
+        return { ...fault, ...own, path: of_si ? key.path : path, sentence: head + parts.join("") + end };
+    }
+
+    /** Marks the field of a fault that is found only with the samples of the flight, until the scene changes; null: there is none. */
+    refuse(fault) {
+        const found = fault && this.on_page(fault), before = this.refused.length;
+        this.refused = found && this.key(found.path ?? "") ? [{ ...found, in_text: true }] : [];
+        if (before + this.refused.length) this.dispatchEvent(new Event("refused"));
     }
 
     /** What the library says of an error that was thrown. */
@@ -78,7 +107,7 @@ export class Scene extends EventTarget {
     }
 
     told_of_change(faults, source = null) {
-        this.faults = faults;
+        [this.faults, this.refused] = [faults, []];
         this.dispatchEvent(Object.assign(new Event("change"), { source }));
     }
 

@@ -37,7 +37,7 @@ export const shown = (value, digits) => (Number.isFinite(value) ? String(Number(
  * What the library says of a fault or an error in the language of the user. With limits, it is made of the name, the value and the limits;
  * otherwise a rule of the table translates it: what follows "gyro.bias_deg_h[1] = -3: ".
  */
-export function told({ sentence, path, flags = 0, value, minimum, maximum }, name_of, info_flags) {
+export function told({ sentence, path, flags = 0, value, minimum, maximum, unit }, name_of, info_flags) {
     const limits = info_flags.ERROR_INFO_MINIMUM | info_flags.ERROR_INFO_MAXIMUM;
     if (language === "en") {
         return sentence;
@@ -45,7 +45,7 @@ export function told({ sentence, path, flags = 0, value, minimum, maximum }, nam
     const name = [name_of(path), path].filter(Boolean).join(" ");
     if ((flags & limits) === limits) {
         const kind = flags & info_flags.ERROR_INFO_VALUE ? "limits" : "expected";
-        return text(kind, name, shown(value, 6), shown(minimum, 6), shown(maximum, 6));
+        return text(kind, name, shown(value, 6), shown(minimum, 6), [shown(maximum, 6), unit].filter(Boolean).join(" "));
     }
     const end = sentence.slice(sentence.indexOf(": ") + 2);
     for (const [rule, translation] of tables[language]) {

@@ -86,5 +86,8 @@ function make_manoeuvres(scene) {
     if (from !== scene.handle) from.close();
 }
 
-/** A log becomes the flight of the scene. */
-export const fly_log = (scene, name) => scene.set({ "flight.file": quoted(name) });
+/** The name of the log that the scene flies, or null. */
+export const log_of = (scene) => (scene.is_log ? scene.get("flight.file").split(/[\\/]/).at(-1) : null);
+
+/** A log becomes the flight of the scene, which flies all of it if it flew something else before. */
+export const fly_log = (scene, name) => scene.set({ "flight.file": quoted(name), ...(log_of(scene) === name ? {} : { "flight.hours": "" }) });

@@ -7,9 +7,10 @@ import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import test, { after, before } from "node:test";
+import { deflateRawSync } from "node:zlib";
 import { pathToFileURL } from "node:url";
 
-import { browser, page_with, processor_times } from "./browser.mjs";
+import { KEPT, browser, kept_from, page_with, processor_times } from "./browser.mjs";
 
 const { SINS, HOURS = "1", SINS_PAGE = "target/web/sins.html", SINS_MODULE } = process.env;
 const out = resolve("target/web"), address = pathToFileURL(resolve(SINS_PAGE)).href;
@@ -282,7 +283,7 @@ test("wrong input is marked at its field, told, and not flown", async (context) 
     const before = await text(page);
     await page.fill("#text", '[flight]\nbuiltin = "rest"\n[gyro]\nbais_deg_h = 1\nbias_sigma_deg_h = -1\n');
     await page.waitForSelector("#text_faults li");
-    assert.deepEqual(await page.locator("#text_faults li").allInnerTexts(), ["4:1: no such key: bais_deg_h; did you mean bias_deg_h?", "5:1: gyro.bias_sigma_deg_h[0] = -1: must be from 0 to 2.06264e7"]);
+    assert.deepEqual(await page.locator("#text_faults li").allInnerTexts(), ["4:1: no such key: bais_deg_h; did you mean bias_deg_h?", "5:1: gyro.bias_sigma_deg_h[0] = -1: must be from 0 to 2.06264e7 °/h"]);
     await page.locator("#text_faults button").nth(1).click();
     assert.equal(await page.evaluate(() => { const own = document.activeElement; return own.value.slice(own.selectionStart, own.selectionEnd); }), "bias_sigma_deg_h = -1");
     await press(page, "start");
@@ -339,6 +340,129 @@ test("form and text follow each other, and a link is the experiment", async (con
     assert.equal(await other.inputValue(field("accelerometer.bias_micro_g")), "70");
     const broken = await opened(context, { hash: "#scene=AAAA" });
     assert.match(await state(broken), /no scene/);
+});
+
+test("after any address the page works, and says what the address lacks", async (context) => {
+    const link = (bytes) => `#scene=${deflateRawSync(bytes).toString("base64url")}`;
+    const none = ["#%", "#%E0%A4%A", "#%00", "#rest%", "#nothing", "#__proto__", "#scene=", "#scene=%", "#scene=AAAA", "#=", "##", `#${"x".repeat(100000)}`];
+    // Letters that are none, and a text that is longer than the library reads: 30 KB that unpack to 30 MB.
+    none.push(link(Buffer.from([255, 254, 253])), link(Buffer.alloc(30e6, "#")));
+    const works = async (page, hash) => {
+        await press(page, "start");
+        await until(page, /^(Flying|Finished)/);
+        await press(page, "stop");
+        await until(page, /^(Stopped|Finished)/).catch(() => assert.fail(hash.slice(0, 30)));
+    };
+    for (const hash of none) {
+        const page = await opened(context, { hash });
+        assert.match(await state(page), /no scene that can be read/, hash.slice(0, 30));
+        await works(page, hash);
+        await page.context().close();
+    }
+    // The same in a page that is open.
+    const page = await opened(context, { hash: "#rest" });
+    for (const hash of none) {
+        await page.evaluate((wanted) => (location.hash = wanted), hash);
+        await until(page, /no scene that can be read/);
+        await works(page, hash);
+    }
+    const faulty = await opened(context, { hash: link('[flight]\nbuiltin = "rest"\n[gyro]\nbais_deg_h = 1\n') });
+    assert.match(await state(faulty), /no such key: bais_deg_h; did you mean bias_deg_h/);
+    await faulty.evaluate(() => (location.hash = "#commuter"));
+    await tab(faulty, TEXT);
+    await faulty.waitForFunction(() => !document.getElementById("text").value.includes("bais"));
+    await works(faulty, "#commuter");
+});
+
+test("a log that is dropped on any scene is flown as long as it is", async (context) => {
+    const { load } = await import(pathToFileURL(resolve(SINS_MODULE))), sins = await load(), names = [];
+    for (let has_more = true; has_more; ) {
+        try {
+            names.push(sins.scene_builtin_name(names.length));
+        } catch {
+            has_more = false;
+        }
+    }
+    assert.ok(names.length > 5);
+    for (const name of names) {
+        const page = await opened(context, { hash: `#${name}` });
+        await drop(page, "c_examples/flights/fighter_aerobatics.csv");
+        await until(page, /samples, 300 s/);
+        await fly(page);
+        assert.equal(await page.inputValue(field("flight.hours")), "", name);
+        assert.doesNotMatch((await downloaded(page, "save")).toString(), /^(hours|duration_s)/m);
+        await page.context().close();
+    }
+});
+
+test("a fault that only the log shows marks its field, in its unit, until it is mended", async (context) => {
+    const page = await opened(context), hours = page.locator(".row", { has: page.locator(field("flight.hours")) });
+    await drop(page, "c_examples/flights/fighter_aerobatics.csv");
+    await until(page, /samples, 300 s/);
+    const sentence = /flight\.hours = 48: must be at most the duration of the log: 0\.0833333 h$/;
+    await set(page, "flight.hours", "48");
+    await until(page, sentence);
+    const is_marked = () => page.locator(field("flight.hours")).getAttribute("aria-invalid");
+    assert.match(await hours.locator(".fault").innerText(), sentence);
+    assert.deepEqual([await is_marked(), await page.inputValue(field("flight.hours"))], ["true", "48"]);
+    await press(page, "start");
+    await until(page, sentence);
+    await page.selectOption("#language", "zh");
+    await page.waitForFunction(() => /0\.0833333 h/.test(document.querySelector('[data-path="flight.hours"]').closest(".row").querySelector(".fault").value));
+    assert.match(await hours.locator(".fault").innerText(), /[\u4e00-\u9fff].*0\.0833333 h$/);
+    await page.selectOption("#language", "en");
+    // A log that is dropped again, as it was changed, keeps the time that the user wants of it.
+    await set(page, "flight.hours", "0.05");
+    assert.equal(await is_marked(), "false");
+    await drop(page, "c_examples/flights/fighter_aerobatics.csv");
+    await until(page, /samples, 300 s/);
+    assert.equal(await page.inputValue(field("flight.hours")), "0.05");
+    await fly(page);
+    assert.equal(await is_marked(), "false");
+    // A spacing below the time between two samples.
+    await set(page, "flight.hours", "");
+    await tab(page, TEXT);
+    await page.locator(field("output.every_s")).fill("0.001");
+    await page.locator(field("output.every_s")).blur();
+    await until(page, /output\.every_s = 0\.001: must be at least the sample interval, 0\.01\d* s$/);
+    assert.equal(await page.locator(field("output.every_s")).getAttribute("aria-invalid"), "true");
+});
+
+test("limits are told in the unit that stands at the field, of every field", async (context) => {
+    for (const locale of ["en", "zh"]) {
+        const page = await opened(context, { locale });
+        await write(page, MANOEUVRES);
+        let told = 0;
+        for (const place of [0, 1, 2, 3, 4]) {
+            await tab(page, place);
+            await unfold(page);
+            const wrong = await page.evaluate((own) => {
+                const found = [];
+                for (const path of [...document.querySelectorAll(`#panel${own} .row input[data-path]`)].map((input) => input.dataset.path)) {
+                    // An editor of an item is made anew by each change.
+                    const row = () => document.querySelector(`#panel${own} [data-path="${path}"]`).closest(".row"), unit = row().querySelector(".unit").textContent;
+                    const put = (value) => (row().querySelector("input").value = value, row().querySelector("input").onchange());
+                    const before = row().querySelector("input").value;
+                    put("1e300");
+                    const fault = row().querySelector(".fault").value, is_marked = row().querySelector("input").getAttribute("aria-invalid") === "true";
+                    if (unit && fault) found.push([path, unit, fault, is_marked]);
+                    put(before);
+                }
+                return found;
+            }, place);
+            for (const [path, unit, fault, is_marked] of wrong) {
+                if (!/must be (from|at |more|less)|必须/.test(fault)) continue;
+                assert.ok(is_marked && new RegExp(`\\d ${unit.replace(/[()]/g, "\\$&")}( |$)`).test(fault), `${path} [${unit}]: ${fault}`);
+                told++;
+            }
+        }
+        console.log(`page: ${told} fields tell their limits in their unit (${locale})`);
+        assert.ok(told > 80, `${told}`);
+    }
+});
+
+test("the page runs its own script and its worker, and loads nothing", async () => {
+    assert.deepEqual(await kept_from(chromium, address), KEPT);
 });
 
 test("Chinese: every text of the page, every key and word", async (context) => {
