@@ -117,7 +117,7 @@ mod tests {
         let page = page(&log, &analyses).unwrap();
         assert!(page.starts_with("<!DOCTYPE html>") && page.contains("angle random walk"));
         for (text, addresses) in [(&svg, 1), (&page, 0)] {
-            assert_eq!(text.matches("http").count(), addresses, "nothing from outside");
+            assert_eq!(text.matches("://").count(), addresses, "nothing from outside");
             assert!(text.contains("w&lt;x&gt;_rad") && !text.contains("w<x>"));
             for class in ["band", "asymptote", "fit", "computed"] {
                 assert!(text.contains(&format!("class=\"{class}\"")), "{class}");

@@ -109,7 +109,7 @@ mod tests {
         assert!(page.starts_with("<!DOCTYPE html>") && page.contains("<code>gyro.bias_sigma_deg_h</code>"));
         assert!(!page.contains("rad_s"), "keys of a scene, not fields of the interface");
         for (text, addresses) in [(&svg, 1), (&page, 0)] {
-            assert_eq!(text.matches("http").count(), addresses, "nothing from outside");
+            assert_eq!(text.matches("://").count(), addresses, "nothing from outside");
             assert!(text.contains("a&lt;b") && !text.contains("a<b") && text.contains("made &amp; flown"));
             for class in ["deterministic", "pale-random", "own", "together", "limit", "note value"] {
                 assert!(text.contains(&format!("class=\"{class}\"")), "{class}");

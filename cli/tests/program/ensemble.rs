@@ -236,7 +236,7 @@ fn statistics_are_those_of_the_runs() {
         }
     }
     let page = read(out.join("simulation2_ensemble.html"));
-    for outside in ["http", "<script src", "NaN", "inf,", "\"inf"] {
+    for outside in ["://", "<script src", "NaN", "inf,", "\"inf"] {
         assert!(!page.contains(outside), "{outside}");
     }
     for drawn in ["class=\"band\"", "class=\"outer-band\"", "class=\"run\"", "class=\"count\"", "CEP50"] {
