@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 from typing import Any, Optional, Tuple
 
+import numpy as np
 import numpy.typing as npt
 
 from sins import c
-from sins._calls import in_background
+from sins._calls import INTERVALS, in_background
 from sins._scene import Flown, Scene, Setting, whole_number
 
 
@@ -50,7 +51,9 @@ def _whole(scene: Scene, most: int) -> Any:
     if scene.info.count > most:
         raise ValueError(f"{scene.info.count} samples: at most {most}; fly fewer hours")
     samples = scene.piece(0, scene.info.count)
-    return samples if scene.samples is None else samples.copy()
+    if scene.samples is None:
+        return samples
+    return np.frombuffer(bytearray(samples), samples.dtype)  # numpy itself copies field by field
 
 
 def budget(
@@ -68,7 +71,7 @@ def budget(
     rows = c.array(c.budget_row, 128)
 
     def stop() -> None:
-        samples["struct_size"] = 1  # which ends the call
+        samples["struct_size"][:: INTERVALS // 8] = 1  # each of which ends the call
 
     with c.scene_create_simulator(scene.handle) as sim:
         written, whole = in_background(lambda: c.error_budget(sim, samples, request, rows), stop)
