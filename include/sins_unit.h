@@ -87,8 +87,9 @@ typedef struct sins_unit_params {
      */
     double motion_threshold_m_s;
     /**
-     * Distance from its place beyond which an alignment stops [m], 1e-6 to 1e6; 0: 0.2. The default is this
-     * library's: a sway of 1 cm does not matter, a slow start stops the alignment.
+     * Distance from its place beyond which an alignment stops [m], 1e-6 to 1e6; 0: 0.2. A position that was
+     * entered is dropped there, too, at the latest at 10 m. The default is this library's: a sway of 1 cm does not
+     * matter, a slow start stops the alignment.
      */
     double motion_distance_m;
     /**
@@ -138,6 +139,13 @@ typedef struct sins_unit_params {
      * The default is 0.1 degree, and this library's.
      */
     double in_flight_heading_rad;
+    /**
+     * Standard deviation of the heading above which a gyrocompass does not end [rad], 1e-9 to 4; 0: the default.
+     * Until then the heading is not valid, and the status has SINS_UNIT_REASON_NORTH_UNKNOWN. The default is 1
+     * degree, and this library's: gyros of navigation grade reach it at all latitudes of max_latitude_rad, those of
+     * tactical grade at none. 4 accepts each heading.
+     */
+    double heading_limit_rad;
 } sins_unit_params;
 
 /** A buffer of this size holds every snapshot of a unit that this release saves. */
@@ -293,6 +301,10 @@ SINS_API sins_status SINS_CALL sins_unit_press_test(sins_unit *unit);
  * the stored heading need it. If it is further from the stored position than position_tolerance_rad, it is not taken, and the
  * status has SINS_UNIT_REASON_POSITION_DISAGREES; the same position is taken when it is entered again.
  *
+ * A position holds as long as the aircraft stands within motion_distance_m, at most 10 m, of where it was entered. Beyond it the unit
+ * drops it, and the status has SINS_UNIT_REASON_NO_POSITION until the new one is entered; a realignment then keeps the position of the
+ * navigation.
+ *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
  * SINS_ERROR_BAD_STATE: the unit does not align.
  */
@@ -325,9 +337,10 @@ SINS_API sins_status SINS_CALL sins_unit_set_stored(sins_unit *unit, double lati
  * numbers do not change. No allocation, no system call.
  *
  * docs/unit.md, "The alignment", has the equations of the alignment, of its heading error, and of the tests of motion and latitude.
- * An alignment that the test of motion stops starts anew after still_s at rest. After the first failure of the test of the latitude
- * the position must be entered again; after the second the unit fails. A realignment of an aircraft that reaches
- * realignment_speed_m_s loses the navigation.
+ * An alignment that the test of motion stops starts anew after still_s at rest, and asks for the position if the aircraft has left its
+ * place. After the first failure of the test of the latitude the position must be entered again; after the second the unit fails. A
+ * gyrocompass whose heading has a standard deviation above heading_limit_rad goes on, with SINS_UNIT_REASON_NORTH_UNKNOWN. A
+ * realignment of an aircraft that reaches realignment_speed_m_s loses the navigation.
  *
  * Signals: an interval in which a gyro or accelerometer has no signal shows no rates, and an alignment begins anew. When the sum of
  * such intervals since the alignment began is more than fault_s, the unit fails. Until then, attitude and heading are wrong by up to the
@@ -386,9 +399,9 @@ typedef enum sins_unit_state {
     /** Alignment without an attitude yet; also while the unit moves and cannot align. */
     SINS_UNIT_STATE_COARSE_ALIGNMENT = 2,
     /**
-     * Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. In flight it begins when the
-     * first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad. An alignment
-     * of kind SINS_UNIT_ALIGNMENT_FAST shows neither.
+     * Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored, and the sensors show north as
+     * accurately as heading_limit_rad. In flight it begins when the first windows show an attitude, and the heading is valid when it is
+     * as accurate as in_flight_heading_rad. An alignment of kind SINS_UNIT_ALIGNMENT_FAST shows neither.
      */
     SINS_UNIT_STATE_FINE_ALIGNMENT = 3,
     /** Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight. */
@@ -432,7 +445,7 @@ typedef enum sins_unit_annunciators {
 
 /** Reasons why a unit is not ready, or has failed. */
 typedef enum sins_unit_reasons {
-    /** No position was entered; in flight: no fix came for a minute. */
+    /** No position was entered, or the aircraft has left the place where it was; in flight: no fix came for a minute. */
     SINS_UNIT_REASON_NO_POSITION = 1,
     /** The entered position is too far from the stored one. Enter it again, or another one. */
     SINS_UNIT_REASON_POSITION_DISAGREES = 2,
@@ -447,7 +460,12 @@ typedef enum sins_unit_reasons {
     /** The battery is empty. */
     SINS_UNIT_REASON_BATTERY_EMPTY = 64,
     /** In flight: in_flight_alignment_s is over, and the heading is not accurate enough yet. Turns or changes of speed show it. */
-    SINS_UNIT_REASON_TURNS_NEEDED = 128
+    SINS_UNIT_REASON_TURNS_NEEDED = 128,
+    /**
+     * The time of a gyrocompass is over, and the standard deviation of its heading is above heading_limit_rad: the sensors are too poor
+     * to find north here. The alignment goes on.
+     */
+    SINS_UNIT_REASON_NORTH_UNKNOWN = 256
 } sins_unit_reasons;
 
 /** Outputs of a unit that are valid. */
@@ -693,7 +711,7 @@ SINS_API sins_status SINS_CALL sins_bus_decode(uint32_t word, uint32_t flags, si
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_unit_sizeof {
-    SINS_SIZEOF_UNIT_PARAMS = 192,
+    SINS_SIZEOF_UNIT_PARAMS = 200,
     SINS_SIZEOF_UNIT_FIX = 56,
     SINS_SIZEOF_UNIT_STATUS = 80,
     SINS_SIZEOF_UNIT_NAVIGATION = 136,

@@ -68,7 +68,7 @@ params!(sins_altimeter_params, "altimeter", 56, AltimeterParameters, copy);
 params!(sins_initial_errors, "initial", 168, InitialErrorParameters, copy, alignment: alignment);
 params!(sins_mounting, "mounting", 104, MountingParameters, copy);
 params!(sins_gravity_params, "gravity", 80, GravityDisturbanceParameters, copy);
-params!(sins_unit_params, "unit", 192, UnitParameters, copy);
+params!(sins_unit_params, "unit", 200, UnitParameters, copy);
 
 /// Copies the numbers of each parameter that both sides have; matrices are row by row on one side, column by column on the other.
 fn copy_triad(from: [&[f64]; COUNT], to: [&mut [f64]; COUNT]) {

@@ -189,6 +189,10 @@ pub unsafe extern "C-unwind" fn sins_unit_press_test(unit: *mut sins_unit) -> si
 /// the stored heading need it. If it is further from the stored position than position_tolerance_rad, it is not taken, and the
 /// status has SINS_UNIT_REASON_POSITION_DISAGREES; the same position is taken when it is entered again.
 ///
+/// A position holds as long as the aircraft stands within motion_distance_m, at most 10 m, of where it was entered. Beyond it the unit
+/// drops it, and the status has SINS_UNIT_REASON_NO_POSITION until the new one is entered; a realignment then keeps the position of the
+/// navigation.
+///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
 /// SINS_ERROR_BAD_STATE: the unit does not align.
 #[unsafe(no_mangle)]
@@ -244,9 +248,10 @@ pub unsafe extern "C-unwind" fn sins_unit_set_stored(
 /// numbers do not change. No allocation, no system call.
 ///
 /// docs/unit.md, "The alignment", has the equations of the alignment, of its heading error, and of the tests of motion and latitude.
-/// An alignment that the test of motion stops starts anew after still_s at rest. After the first failure of the test of the latitude
-/// the position must be entered again; after the second the unit fails. A realignment of an aircraft that reaches
-/// realignment_speed_m_s loses the navigation.
+/// An alignment that the test of motion stops starts anew after still_s at rest, and asks for the position if the aircraft has left its
+/// place. After the first failure of the test of the latitude the position must be entered again; after the second the unit fails. A
+/// gyrocompass whose heading has a standard deviation above heading_limit_rad goes on, with SINS_UNIT_REASON_NORTH_UNKNOWN. A
+/// realignment of an aircraft that reaches realignment_speed_m_s loses the navigation.
 ///
 /// Signals: an interval in which a gyro or accelerometer has no signal shows no rates, and an alignment begins anew. When the sum of
 /// such intervals since the alignment began is more than fault_s, the unit fails. Until then, attitude and heading are wrong by up to the

@@ -36,7 +36,7 @@ pub const SINS_UNIT_HAS_STORED: sins_unit_annunciators = 128;
 /// Reasons why a unit is not ready, or has failed.
 pub type sins_unit_reasons = u32;
 
-/// No position was entered; in flight: no fix came for a minute.
+/// No position was entered, or the aircraft has left the place where it was; in flight: no fix came for a minute.
 pub const SINS_UNIT_REASON_NO_POSITION: sins_unit_reasons = 1;
 /// The entered position is too far from the stored one. Enter it again, or another one.
 pub const SINS_UNIT_REASON_POSITION_DISAGREES: sins_unit_reasons = 2;
@@ -52,6 +52,9 @@ pub const SINS_UNIT_REASON_NO_SIGNAL: sins_unit_reasons = 32;
 pub const SINS_UNIT_REASON_BATTERY_EMPTY: sins_unit_reasons = 64;
 /// In flight: in_flight_alignment_s is over, and the heading is not accurate enough yet. Turns or changes of speed show it.
 pub const SINS_UNIT_REASON_TURNS_NEEDED: sins_unit_reasons = 128;
+/// The time of a gyrocompass is over, and the standard deviation of its heading is above heading_limit_rad: the sensors are too poor
+/// to find north here. The alignment goes on.
+pub const SINS_UNIT_REASON_NORTH_UNKNOWN: sins_unit_reasons = 256;
 
 /// Outputs of a unit that are valid.
 pub type sins_unit_validity = u32;
@@ -188,7 +191,7 @@ impl sins_unit_status {
     pub(super) fn to_status(self) -> Result<Status, CallError> {
         check_reserved("status.reserved", self.reserved)?;
         check_flags("status.annunciators", self.annunciators, 2 * SINS_UNIT_HAS_STORED - 1)?;
-        check_flags("status.reasons", self.reasons, 2 * SINS_UNIT_REASON_TURNS_NEEDED - 1)?;
+        check_flags("status.reasons", self.reasons, 2 * SINS_UNIT_REASON_NORTH_UNKNOWN - 1)?;
         check_flags("status.validity", self.validity, 2 * SINS_UNIT_VALID_VELOCITY - 1)?;
         check_range("status.minutes_to_go", self.minutes_to_go.into(), 0.0, 1e6)?;
         check_range("status.to_go_s", self.to_go_s, 0.0, 1e7)?;

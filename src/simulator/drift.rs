@@ -25,6 +25,11 @@ impl Bound {
         self.set + sigmas * self.sigma
     }
 
+    /// The bound of the error times `factor`.
+    pub fn times(&self, factor: f64) -> Self {
+        Self { set: self.set * factor, sigma: self.sigma * factor }
+    }
+
     /// The bound of the sum of two independent errors.
     pub fn plus(&self, other: &Self) -> Self {
         Self { set: self.set + other.set, sigma: crate::base::math::hypot(self.sigma, other.sigma) }
@@ -41,10 +46,33 @@ impl Simulator {
         temperatures_c: [Option<f64>; 2],
         since_start_s: f64,
     ) -> Bound {
-        let [start, now] = self.set_errors(Sensor::Gyro, signals, t, temperatures_c);
-        let pulse = self.gyro().quantization.amax();
+        let Bound { set, sigma } = self.mean_error(Sensor::Gyro, signals, t, temperatures_c, since_start_s);
+        Bound { set: set + self.gyro().quantization.amax() / t, sigma }
+    }
+
+    /// The same of the mean specific force \[m/s²\].
+    pub(crate) fn mean_force_error(
+        &self,
+        signals: &Signals,
+        t: f64,
+        temperatures_c: [Option<f64>; 2],
+        since_start_s: f64,
+    ) -> Bound {
+        self.mean_error(Sensor::Accelerometer, signals, t, temperatures_c, since_start_s)
+    }
+
+    fn mean_error(
+        &self,
+        sensor: Sensor,
+        signals: &Signals,
+        t: f64,
+        temperatures_c: [Option<f64>; 2],
+        since_start_s: f64,
+    ) -> Bound {
+        let [start, now] = self.set_errors(sensor, signals, t, temperatures_c);
         let variances = Variances::of_means(&self.imperfections.parameters(), signals, t, since_start_s);
-        Bound { set: size(&start).max(size(&now)) + pulse / t, sigma: variances.gyro.amax().sqrt() }
+        let variances = if sensor == Sensor::Gyro { variances.gyro } else { variances.accel };
+        Bound { set: size(&start).max(size(&now)), sigma: variances.amax().sqrt() }
     }
 
     /// Bound of the change of the mean error of the specific force between two windows of length `window_s`, `apart_s` \[s\] apart, the
@@ -69,10 +97,7 @@ impl Simulator {
         const OVER_S: f64 = VerticalLoop::TIME_CONSTANT_S;
         let signals = Signals { rate_s: Vector3::zeros(), force_s: Vector3::repeat(GRAVITY) };
         let now_c = self.true_point().and_then(TruthPoint::temperature_c);
-        let [start, now] = self.set_errors(Sensor::Accelerometer, &signals, OVER_S, [now_c; 2]);
-        let variances =
-            Variances::of_means(&self.imperfections.parameters(), &signals, OVER_S, since_start_s);
-        let of_sensors = Bound { set: size(&start).max(size(&now)), sigma: variances.accel.amax().sqrt() };
+        let of_sensors = self.mean_force_error(&signals, OVER_S, [now_c; 2], since_start_s);
         if let Mode::Flying(chain) = &mut self.mode {
             chain.limit_vertical_bias(of_sensors.at(sigmas) + BESIDE_SENSORS_M_S2);
         }

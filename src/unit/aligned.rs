@@ -3,17 +3,15 @@
 use nalgebra::{Quaternion, Vector3};
 
 use super::alignment::{EarthAtRest, North, shortest_rotation};
+use super::enter::Entry;
 use super::states::{correct, remove_errors};
 use super::{AlignmentKind, Mode, State, Unit, UnitParameters};
 use crate::base::error::Error;
 use crate::base::math::{rotate_inverse, rotation_quaternion};
-use crate::base::units::STANDARD_GRAVITY as GRAVITY;
 use crate::earth::state::Navigation;
 use crate::earth::{Earth, Geodetic};
-use crate::errors::covariance::Signals;
 use crate::errors::navigation_minus_truth;
-use crate::simulator::{Bound, Simulator};
-use crate::truth::TruthPoint;
+use crate::simulator::Simulator;
 
 /// Failed tests of the latitude after which the unit fails.
 const LATITUDE_FAILURES: usize = 2;
@@ -40,7 +38,7 @@ impl Unit {
             return Ok(());
         }
         self.reasons.no_position = self.entered.is_none();
-        let Some((latitude_rad, _)) = self.entered else { return Ok(()) };
+        let Some(Entry { latitude_rad, .. }) = self.entered else { return Ok(()) };
         self.reasons.latitude_too_high = latitude_rad.abs() > parameters.max_latitude_rad;
         if self.reasons.latitude_too_high {
             return Ok(());
@@ -51,6 +49,12 @@ impl Unit {
         if self.stored_heading_rad().is_none() {
             let Some(north) = self.alignment.north(&at_rest) else { return Ok(()) };
             if !self.latitude_passes(&north, &at_rest, parameters, simulator) {
+                return Ok(());
+            }
+            if !self.knows_north(parameters) {
+                if self.state == State::Ready {
+                    self.enter(State::FineAlignment);
+                }
                 return Ok(());
             }
         }
@@ -122,7 +126,9 @@ impl Unit {
         let (of_cos, of_sin) = if parameters.latitude_tolerance_rad != 0.0 {
             (parameters.latitude_tolerance_rad * sin.abs() + COSINE_TOLERANCE, SINE_TOLERANCE)
         } else {
-            let [of_vertical, of_gyros] = self.rate_errors(north, at_rest, simulator);
+            let Some(errors) = self.sensor_errors(north, at_rest, simulator) else { return true };
+            let of_vertical = errors.gyros.plus(&errors.vertical).at(SIGMAS);
+            let of_gyros = errors.gyros.at(SIGMAS);
             (of_vertical / earth_rate + COSINE_TOLERANCE, of_gyros / earth_rate + SINE_TOLERANCE)
         };
         let passes =
@@ -136,27 +142,6 @@ impl Unit {
             }
         }
         passes
-    }
-
-    /// Bounds of the errors of the angular rate of the vertical and of the mean rate of the gyros, with which they show the rotation of
-    /// the Earth between both windows \[rad/s\].
-    fn rate_errors(&self, north: &North, at_rest: &EarthAtRest, simulator: &Simulator) -> [f64; 2] {
-        let Some((apart_s, window_s)) = self.alignment.windows_s() else { return [f64::INFINITY; 2] };
-        let windows = (window_s.max(self.interval_s), apart_s);
-        let q_ns = north.q_in.conjugate() * self.inertial.q_is;
-        let earth_rate_n = at_rest.axis_n() * at_rest.rate_rad_s;
-        let signals = Signals {
-            rate_s: rotate_inverse(&q_ns, &earth_rate_n),
-            force_s: rotate_inverse(&q_ns, &Vector3::z()) * GRAVITY,
-        };
-        let now_c = simulator.true_point().and_then(TruthPoint::temperature_c);
-        let temperatures_c = [self.alignment.temperature_c.or(now_c), now_c];
-        let before_s = self.age_s - self.alignment.elapsed_s + simulator.initial_errors().alignment_s;
-        let gyros = simulator.mean_rate_error(&signals, apart_s, temperatures_c, before_s.max(0.0));
-        let vertical = simulator.force_error_change(&signals, windows, temperatures_c);
-        let of_vertical =
-            Bound { set: vertical.set / GRAVITY / apart_s, sigma: vertical.sigma / GRAVITY / apart_s };
-        [gyros.plus(&of_vertical).at(SIGMAS), gyros.at(SIGMAS)]
     }
 
     /// Levels the solution and removes its velocity; its heading stays.
@@ -177,7 +162,7 @@ impl Unit {
     /// The entered place, with the true height. Without an entered position it is that of `present`.
     fn entered_place(&self, present: &Navigation, simulator: &Simulator) -> Geodetic {
         let mut place = present.place;
-        if let Some((latitude_rad, longitude_rad)) = self.entered {
+        if let Some(Entry { latitude_rad, longitude_rad, .. }) = self.entered {
             place = Geodetic { latitude_rad, longitude_rad, ..place };
         }
         if let Ok(Some(truth)) = simulator.truth() {

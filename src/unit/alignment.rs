@@ -142,10 +142,20 @@ pub(super) struct AlignmentProgress {
     pub temperature_c: Option<f64>,
     pub first: Option<Fix>,
     pub last: Option<Fix>,
+    /// Of a gyrocompass with two windows, at a latitude that is known \[rad\].
+    pub heading_sigma_rad: Option<f64>,
     pub in_flight: InFlight,
 }
 
-stored!(AlignmentProgress { elapsed_s: SIGNALS, window, temperature_c: SIGNALS, first, last, in_flight });
+stored!(AlignmentProgress {
+    elapsed_s: SIGNALS,
+    window,
+    temperature_c: SIGNALS,
+    first,
+    last,
+    heading_sigma_rad: SIGNALS,
+    in_flight
+});
 
 /// What an alignment has found.
 #[derive(Debug, Clone, Copy, PartialEq)]

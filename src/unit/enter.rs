@@ -1,10 +1,27 @@
 //! The panel: what the crew and the aircraft do.
 
-use super::{AlignmentKind, Mode, Power, State, StoredAlignment, Unit};
+use nalgebra::Vector3;
+
+use super::{AlignmentKind, Mode, Power, State, StoredAlignment, Unit, UnitParameters};
 use crate::base::error::{Error, check_range};
+use crate::base::snapshot::{SIGNALS, stored};
 
 const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
 const WHOLE: f64 = core::f64::consts::TAU;
+
+/// Largest distance from where it was entered at which a position holds, if motion_distance_m is larger \[m\].
+const ENTRY_HOLDS_M: f64 = 10.0;
+
+/// A position that was entered.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Entry {
+    pub latitude_rad: f64,
+    pub longitude_rad: f64,
+    /// Where the aircraft stood then, Earth-fixed axes \[m\].
+    place_e: Option<Vector3<f64>>,
+}
+
+stored!(Entry { latitude_rad: 1.6, longitude_rad: 3.2, place_e: SIGNALS });
 
 impl Unit {
     /// Turns the mode selector. The unit follows with the next update.
@@ -17,10 +34,12 @@ impl Unit {
         self.power = power;
     }
 
-    /// Sets how the unit aligns. With another kind an alignment in progress begins anew; a realignment is the same with each kind.
+    /// Sets how the unit aligns. With another kind an alignment in progress begins anew, and a unit that is ready aligns again. A
+    /// realignment is the same with each kind.
     pub fn set_alignment(&mut self, kind: AlignmentKind) {
-        let is_aligning = self.aligns() || self.state == State::Ready;
-        if kind != self.kind && is_aligning && !self.realigned {
+        let begins_anew = self.state == State::Ready || self.aligns() && !self.realigned;
+        if kind != self.kind && begins_anew {
+            self.realigned = false;
             self.start_anew();
             (self.motion, self.reasons.motion) = (Default::default(), false);
         }
@@ -32,8 +51,8 @@ impl Unit {
         self.test_s = self.limits.power_up_test_s;
     }
 
-    /// Enters the present position, of an alignment or a realignment. A position that is far from the stored one is refused, with a
-    /// reason in the status, until it is entered again.
+    /// Enters the present position, of an alignment or a realignment. It holds as long as the aircraft stands where it was entered. A
+    /// position that is far from the stored one is refused, with a reason in the status, until it is entered again there.
     pub fn enter_position(&mut self, latitude_rad: f64, longitude_rad: f64) -> Result<(), Error> {
         check_range("latitude_rad", latitude_rad, -QUARTER, QUARTER)?;
         check_range("longitude_rad", longitude_rad, -WHOLE, WHOLE)?;
@@ -51,19 +70,42 @@ impl Unit {
             }));
         }
         let longitude_rad = crate::base::math::wrap_angle(longitude_rad);
-        let position = (latitude_rad, longitude_rad);
+        let entry = Entry { latitude_rad, longitude_rad, place_e: self.place_e };
         let tolerance = self.limits.position_tolerance_rad;
         let is_far = self.stored.is_some_and(|stored| {
             let east = crate::base::math::wrap_angle(longitude_rad - stored.longitude_rad);
             (latitude_rad - stored.latitude_rad).abs() > tolerance || east.abs() > tolerance
         });
-        self.reasons.position_disagrees = is_far && self.refused != Some(position);
-        if self.reasons.position_disagrees {
-            self.refused = Some(position);
+        let is_refused =
+            |refused: Entry| (refused.latitude_rad, refused.longitude_rad) == (latitude_rad, longitude_rad);
+        if is_far && !self.refused.is_some_and(is_refused) {
+            self.refused = Some(entry);
         } else {
-            self.entered = Some(position);
+            (self.entered, self.refused) = (Some(entry), None);
+            // These are of the position before.
+            (self.reasons.latitude_disagrees, self.reasons.latitude_too_high) = (false, false);
+            self.alignment.heading_sigma_rad = None;
         }
         Ok(())
+    }
+
+    /// Drops the positions that were entered.
+    pub(super) fn forget_entries(&mut self) {
+        (self.entered, self.refused) = (None, None);
+    }
+
+    /// The aircraft is at `place_e`: drops what does not hold there, the positions that were entered at another place, and the place where
+    /// the unit was switched on.
+    pub(super) fn stand_at(&mut self, place_e: Option<Vector3<f64>>, parameters: &UnitParameters) {
+        let is_within = |then: Option<Vector3<f64>>, farthest: f64| {
+            then.zip(place_e).is_some_and(|(then, now)| (now - then).norm_squared() <= farthest * farthest)
+        };
+        let farthest = parameters.motion_distance_m;
+        let holds = |entry: &Entry| is_within(entry.place_e, farthest.min(ENTRY_HOLDS_M));
+        self.switched_on_e = self.switched_on_e.filter(|then| is_within(Some(*then), farthest));
+        self.entered = self.entered.filter(holds);
+        self.refused = self.refused.filter(holds);
+        self.place_e = place_e;
     }
 
     /// Enters the heading of ATT.

@@ -17,6 +17,7 @@ pub mod bus;
 mod enter;
 mod in_flight;
 mod inertial;
+mod north;
 mod output;
 mod panel;
 mod parameters;
@@ -36,6 +37,7 @@ use crate::earth::state::BodyAxes;
 use crate::signal::Increment;
 use crate::simulator::{ImuInterval, Simulator};
 use alignment::AlignmentProgress;
+use enter::Entry;
 use inertial::{Inertial, Motion};
 
 /// While the unit does not navigate, the solution of the simulator is brought back to the truth after this time \[s\].
@@ -56,10 +58,12 @@ pub struct Unit {
     state_s: f64,
     /// Time of the last update \[s\].
     time_s: Option<f64>,
-    /// Entered latitude and longitude \[rad\].
-    entered: Option<(f64, f64)>,
-    /// Entered, and refused because it is far from what is stored.
-    refused: Option<(f64, f64)>,
+    /// The position that was entered.
+    entered: Option<Entry>,
+    /// The same, refused because it is far from what is stored.
+    refused: Option<Entry>,
+    /// Where the aircraft was at the last update in an alignment, Earth-fixed axes \[m\].
+    place_e: Option<Vector3<f64>>,
     stored: Option<StoredAlignment>,
     /// Where the unit was switched on, Earth-fixed axes \[m\], as long as the aircraft stands there with the stored heading.
     switched_on_e: Option<Vector3<f64>>,
@@ -115,6 +119,7 @@ impl Unit {
             time_s: None,
             entered: None,
             refused: None,
+            place_e: None,
             stored: None,
             switched_on_e: None,
             q_bs: Quaternion::identity(),
@@ -178,7 +183,7 @@ impl Unit {
                 let has_jumped = simulator.is_first_interval();
                 if has_jumped {
                     self.switched_on_e = None;
-                    (self.entered, self.refused) = (None, None);
+                    self.forget_entries();
                 }
                 if has_jumped || (time_s - begun_s).abs() > 0.5 * dt {
                     self.motion = Motion::default();

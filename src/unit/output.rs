@@ -2,14 +2,13 @@
 
 use nalgebra::{Quaternion, Vector3};
 
-use super::alignment::{EarthAtRest, shortest_rotation};
+use super::alignment::shortest_rotation;
 use super::{AlignmentKind, Mode, Power, Reasons, State, Status, Unit, Validity};
 use crate::base::error::Error;
 use crate::base::math::{Euler, rotate};
 use crate::earth::Geodetic;
 use crate::earth::state::Navigation;
 use crate::simulator::Simulator;
-use crate::truth::TruthPoint;
 
 /// What the unit shows. What is not valid is 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -42,14 +41,20 @@ impl Unit {
             _ => self.entered.is_some() || self.is_made_up(),
         };
         let lacks_position = aligns && !has_position && !self.realigned;
-        let reasons =
-            Reasons { no_position: lacks_position, turns_needed: self.needs_turns(), ..self.reasons };
+        let reasons = Reasons {
+            no_position: lacks_position,
+            position_disagrees: self.refused.is_some(),
+            turns_needed: self.needs_turns(),
+            north_unknown: self.lacks_north(),
+            ..self.reasons
+        };
         let waits = lacks_position && elapsed_s >= whole_s
             || reasons.position_disagrees
             || reasons.latitude_disagrees
             || reasons.latitude_too_high
             || reasons.motion
-            || reasons.turns_needed;
+            || reasons.turns_needed
+            || reasons.north_unknown;
         let to_go_s = match self.state {
             State::Test => {
                 parameters.power_up_test_s - self.state_s
@@ -101,7 +106,7 @@ impl Unit {
         !self.is_made_up() && (!self.aligns_in_flight() || self.alignment.in_flight.has_attitude())
     }
 
-    /// In an alignment at rest the heading is shown from its half on, in flight when it is accurate enough.
+    /// In an alignment at rest the heading is shown from its half on, if it is accurate enough; in flight as soon as it is.
     fn shows_heading(&self) -> bool {
         let parameters = self.limits;
         if self.aligns_in_flight() {
@@ -110,6 +115,7 @@ impl Unit {
         !self.is_made_up()
             && self.alignment.last.is_some()
             && self.latitude_rad().is_some()
+            && self.knows_north(&parameters)
             && self.alignment.elapsed_s >= 0.5 * self.length_s(&parameters)
     }
 
@@ -158,11 +164,7 @@ impl Unit {
         if let Some(q_in) = self.alignment.in_flight.q_in(&earth) {
             return self.attitude_in(&q_in);
         }
-        let height_m = simulator.true_point().map_or(0.0, TruthPoint::height_m);
-        let found = self.latitude_rad().and_then(|latitude_rad| {
-            let place = Geodetic { latitude_rad, height_m, ..Geodetic::default() };
-            self.found_attitude(&EarthAtRest::new(&earth, &place))
-        });
+        let found = self.at_rest_here(simulator).and_then(|at_rest| self.found_attitude(&at_rest));
         found.unwrap_or_else(|| {
             let up_i = self.alignment.up_i().unwrap_or(Vector3::z());
             self.attitude_in(&shortest_rotation(&Vector3::z(), &up_i))

@@ -67,9 +67,9 @@ pub enum State {
     Test,
     /// Alignment without an attitude yet; also while the unit moves and cannot align.
     CoarseAlignment,
-    /// Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored. In flight it begins when the
-    /// first windows show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad. An alignment
-    /// of kind SINS_UNIT_ALIGNMENT_FAST shows neither.
+    /// Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored, and the sensors show north as
+    /// accurately as heading_limit_rad. In flight it begins when the first windows show an attitude, and the heading is valid when it is
+    /// as accurate as in_flight_heading_rad. An alignment of kind SINS_UNIT_ALIGNMENT_FAST shows neither.
     FineAlignment,
     /// Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight.
     Ready,
@@ -146,7 +146,7 @@ macro_rules! flags {
 flags!(
     /// Why a unit is not ready, or has failed.
     Reasons {
-        /// No position was entered; in flight: no fix came for a minute.
+        /// No position was entered where the aircraft stands; in flight: no fix came for a minute.
         no_position,
         /// The entered position is far from the stored one: enter it again, or another one.
         position_disagrees,
@@ -162,6 +162,8 @@ flags!(
         battery_empty,
         /// In flight: the heading is not accurate enough yet; turns or changes of speed show it.
         turns_needed,
+        /// The sensors do not show north as accurately as heading_limit_rad asks: the alignment goes on.
+        north_unknown,
     }
 );
 

@@ -6,7 +6,7 @@ use crate::base::snapshot::{CLOCK_S, Reader, SIGNALS, SnapshotOf, Stored as _, W
 use crate::truth::INTERVALS_S;
 
 stored!(Unit {
-    parameters, kind, selector, power, state, state_s: CLOCK_S, time_s: CLOCK_S, entered: 6.3, refused: 6.3, stored, switched_on_e: SIGNALS, q_bs: 2.0, axes,
+    parameters, kind, selector, power, state, state_s: CLOCK_S, time_s: CLOCK_S, entered, refused, place_e: SIGNALS, stored, switched_on_e: SIGNALS, q_bs: 2.0, axes,
     inertial, motion, alignment, q_il: 2.0, heading_entered, realigned, reasons, found_latitude_rad: 1.6, latitude_failures: 2.0,
     has_signal, age_s: CLOCK_S, invalid_s: CLOCK_S, on_battery_s: CLOCK_S, kept_s: CLOCK_S, test_s: CLOCK_S, in_navigation_s: CLOCK_S, measured,
     interval_s: INTERVALS_S.1

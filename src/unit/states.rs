@@ -28,6 +28,9 @@ impl Unit {
         if matches!(state, State::Navigation | State::Erection) {
             self.switched_on_e = None;
         }
+        if !self.aligns() && state != State::Ready {
+            self.forget_entries();
+        }
     }
 
     /// Power, and the built-in test of the sensors.
@@ -108,8 +111,7 @@ impl Unit {
 
     fn power_up(&mut self, simulator: &Simulator) {
         self.reasons = Reasons::default();
-        (self.entered, self.refused, self.latitude_failures) = (None, None, 0);
-        self.found_latitude_rad = None;
+        (self.found_latitude_rad, self.latitude_failures) = (None, 0);
         self.switched_on_e = simulator.true_point().map(|point| point.state.r_e);
         (self.in_navigation_s, self.on_battery_s, self.invalid_s) = (0.0, 0.0, 0.0);
         self.enter(State::Test);
@@ -122,7 +124,7 @@ impl Unit {
         self.motion = Default::default();
         self.inertial = Default::default();
         (self.heading_entered, self.realigned) = (false, false);
-        self.reasons.motion = false;
+        self.reasons = Reasons::default();
         (self.in_navigation_s, self.invalid_s) = (0.0, 0.0);
         self.enter(state);
     }
@@ -137,6 +139,7 @@ impl Unit {
         };
         self.alignment = AlignmentProgress::default();
         self.heading_entered = false;
+        (self.reasons.latitude_disagrees, self.reasons.latitude_too_high) = (false, false);
         if self.state != state {
             self.enter(state);
         }
@@ -163,7 +166,6 @@ impl Unit {
     /// ALIGN after a flight: parked, a realignment; in motion the navigation is lost.
     fn leave_navigation(&mut self, parameters: &UnitParameters, simulator: &Simulator) -> Result<(), Error> {
         let is_parked = Self::is_parked(parameters, simulator)?;
-        (self.entered, self.refused) = (None, None);
         self.begin(if is_parked { State::Realignment } else { State::CoarseAlignment }, simulator);
         self.realigned = is_parked;
         self.reasons.motion = !is_parked && self.kind != AlignmentKind::InFlight;
@@ -229,6 +231,10 @@ impl Unit {
         parameters: &UnitParameters,
         simulator: &mut Simulator,
     ) -> Result<(), Error> {
+        let point = simulator.true_point();
+        let (place_e, temperature_c) =
+            (point.map(|point| point.state.r_e), point.and_then(TruthPoint::temperature_c));
+        self.stand_at(place_e, parameters);
         if self.aligns_in_flight() {
             self.reasons.motion = false;
             self.alignment.elapsed_s += dt;
@@ -239,14 +245,6 @@ impl Unit {
         if is_made_up && self.state == State::Ready {
             return Ok(());
         }
-        let point = simulator.true_point();
-        let (place_e, temperature_c) =
-            (point.map(|point| point.state.r_e), point.and_then(TruthPoint::temperature_c));
-        let farthest = parameters.motion_distance_m;
-        self.switched_on_e = self
-            .switched_on_e
-            .zip(place_e)
-            .and_then(|(then, now)| ((now - then).norm_squared() <= farthest * farthest).then_some(then));
         let moves = self.motion.feel(velocity_i, place_e, dt, parameters);
         let is_tested = self.alignment.elapsed_s >= parameters.motion_inhibition_s;
         if moves && is_tested && !is_made_up {
@@ -270,6 +268,7 @@ impl Unit {
             self.motion.still_s = 0.0;
             return self.stop_for_motion(parameters, simulator);
         }
+        self.note_north(is_shown.is_some(), simulator);
         let elapsed_s = self.alignment.elapsed_s;
         let has_attitude = elapsed_s >= parameters.coarse_alignment_s - 0.5 * dt;
         if self.state == State::CoarseAlignment && has_attitude && self.alignment.newest().is_some() {
@@ -302,9 +301,10 @@ impl Unit {
         }
     }
 
-    /// The entered latitude, else the stored one.
+    /// The entered latitude, else the stored one as long as the aircraft stands where the unit was switched on.
     pub(super) fn latitude_rad(&self) -> Option<f64> {
-        self.entered.map(|(latitude, _)| latitude).or(self.stored.map(|stored| stored.latitude_rad))
+        let stored = self.stored.filter(|_| self.switched_on_e.is_some());
+        self.entered.map(|entry| entry.latitude_rad).or(stored.map(|stored| stored.latitude_rad))
     }
 
     /// Length of the next window \[s\]: the rest of the alignment is a multiple of it.

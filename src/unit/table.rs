@@ -30,7 +30,7 @@ const fn time(
 
 /// Times and limits of a unit, in the order of the struct of the interface.
 #[rustfmt::skip]
-pub const UNIT: [Row; 23] = [
+pub const UNIT: [Row; 24] = [
     time(("power_up_test_s", "length of the test after power-up"), "unit.power_up_test_s", 5.0, "The default is this library's."),
     time(("coarse_alignment_s", "length of the coarse alignment, after which the attitude is valid"), "unit.coarse_alignment_s", 30.0,
         "The default is that of the open A320 simulator flybywiresim/aircraft."),
@@ -60,7 +60,8 @@ pub const UNIT: [Row; 23] = [
         "The default is this library's: a sway of 1 cm at 0.3 Hz has 0.02 m/s, taxiing at 1 kt 0.5 m/s."),
     number(("motion_distance_m", "distance from its place beyond which an alignment stops"), ("unit.motion_distance_m", "m"),
         OrDefault(0.2, 1e-6, 1e6), ("motion_distance_m", "m", 1.0),
-        "The default is this library's: a sway of 1 cm does not matter, a slow start stops the alignment."),
+        "A position that was entered is dropped there, too, at the latest at 10 m. The default is this library's: a sway of 1 cm does not \
+            matter, a slow start stops the alignment."),
     time(("motion_filter_s", "time constant of the filter of this velocity"), "unit.motion_filter_s", 0.5,
         "The default is that of flybywiresim/aircraft."),
     time(("motion_inhibition_s", "time from the start of an alignment in which motion is not tested"), "unit.motion_inhibition_s", 2.0,
@@ -83,4 +84,9 @@ pub const UNIT: [Row; 23] = [
     number(("in_flight_heading_rad", "standard deviation of the heading at which an alignment in flight may end"),
         ("unit.in_flight_heading_rad", "rad"), OrDefault(0.1 * DEG, 1e-9, 1.0), ("in_flight_heading_deg", "deg", DEG),
         "The default is 0.1 degree, and this library's."),
+    number(("heading_limit_rad", "standard deviation of the heading above which a gyrocompass does not end"),
+        ("unit.heading_limit_rad", "rad"), OrDefault(DEG, 1e-9, 4.0), ("heading_limit_deg", "deg", DEG),
+        "Until then the heading is not valid, and the status has SINS_UNIT_REASON_NORTH_UNKNOWN. The default is 1 degree, and this \
+            library's: gyros of navigation grade reach it at all latitudes of max_latitude_rad, those of tactical grade at none. \
+            4 accepts each heading."),
 ];

@@ -470,7 +470,7 @@ AT(sins_budget, left_out_velocity_m_s, 104);
 AT(sins_budget, left_out_attitude_rad, 112);
 AT(sins_budget, ns_per_step, 120);
 
-SIZE(sins_unit_params, SINS_SIZEOF_UNIT_PARAMS, 192);
+SIZE(sins_unit_params, SINS_SIZEOF_UNIT_PARAMS, 200);
 AT(sins_unit_params, struct_size, 0);
 AT(sins_unit_params, reserved, 4);
 AT(sins_unit_params, power_up_test_s, 8);
@@ -496,6 +496,7 @@ AT(sins_unit_params, fault_s, 160);
 AT(sins_unit_params, battery_s, 168);
 AT(sins_unit_params, in_flight_alignment_s, 176);
 AT(sins_unit_params, in_flight_heading_rad, 184);
+AT(sins_unit_params, heading_limit_rad, 192);
 
 SIZE(sins_unit_fix, SINS_SIZEOF_UNIT_FIX, 56);
 AT(sins_unit_fix, struct_size, 0);

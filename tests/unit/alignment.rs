@@ -107,7 +107,8 @@ fn sway_in_gusts_does_no_harm() {
     assert!(swaying.norm() < 5e-3);
 }
 
-/// Taxiing at 1 kt stops an alignment within 2 s; it starts anew when the aircraft has stood for 5 s, and takes its whole time.
+/// Taxiing at 1 kt stops an alignment within 2 s; it starts anew when the aircraft has stood for 5 s, and takes its whole time. The
+/// position is asked for again.
 #[test]
 fn taxiing_stops_it_and_rest_starts_it_anew() {
     const KNOT: f64 = 1852.0 / 3600.0;
@@ -123,6 +124,8 @@ fn taxiing_stops_it_and_rest_starts_it_anew() {
         aircraft.go(taxi, 5.0);
         aircraft.go(Motion::Drive { acceleration: 0.5, to: 0.0 }, 2.0);
         let again = aircraft.until(Motion::Rest, State::FineAlignment, 80.0);
+        assert!(aircraft.unit.status().reasons.no_position);
+        aircraft.enter_true_position();
         assert!((30.0..70.0).contains(&again), "{again}");
         let ready = again + aircraft.until(Motion::Rest, State::Ready, 310.0);
         assert!(ready > 300.0, "{ready}");

@@ -200,7 +200,7 @@ impl Source {
             false,
             status.fault,
             false,
-            reasons.position_disagrees || reasons.latitude_disagrees,
+            reasons.position_disagrees || reasons.latitude_disagrees || reasons.north_unknown,
             reasons.no_position,
             reasons.motion,
             false,
