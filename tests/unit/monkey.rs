@@ -61,8 +61,8 @@ struct Oracle {
     /// The heading was kept from a flight before.
     realigned: bool,
     last_truth: Option<Navigation>,
-    /// Where the crew said that the aircraft is, and how far that is from the truth in this alignment [m].
-    entered: Option<Geodetic>,
+    /// How far from where the aircraft stood then the positions were that the crew entered since the unit was switched on, at most [m].
+    mistake: f64,
     /// Largest difference of the stored heading from the true one in this alignment.
     stored_off: f64,
     /// Where the unit was switched on.
@@ -70,6 +70,13 @@ struct Oracle {
 }
 
 impl Oracle {
+    /// The crew has entered a position that is `mistake` [m] from where the aircraft stands.
+    fn enter(&mut self, mistake: f64) {
+        self.mistake = self.mistake.max(mistake);
+        // A unit that is ready takes it at the end of a window.
+        self.solution.position = self.solution.position.max(20.0 + mistake);
+    }
+
     /// Largest tilt that levelling leaves: accelerometers, noise over half a window of 10 s, and a start by 0.2 m.
     fn level(&self) -> f64 {
         let force = self.accel.mean + self.accel.scale * G + self.accel.noise / 5f64.sqrt();
@@ -98,9 +105,11 @@ impl Oracle {
         let horizontal = EARTH_RATE * latitude_rad.cos();
         let rate = self.gyro.mean + self.gyro.scale * EARTH_RATE + 1.5 * self.gyro.noise / t.sqrt();
         let accel = self.accel.noise / 5f64.sqrt() + self.accel.mean;
-        rate / horizontal
+        let of_sensors = rate / horizontal
             + self.gyro.mean * t
-            + accel / G * (latitude_rad.tan().abs() + 2.0 / (horizontal * t))
+            + accel / G * (latitude_rad.tan().abs() + 2.0 / (horizontal * t));
+        // The unit shows no heading with a standard deviation above 1 degree.
+        of_sensors.min(SIGMAS * DEG)
             + 1e-3
             // Windows in which the aircraft is not quite at rest.
             + 1e-4 / (horizontal * t)
@@ -142,13 +151,12 @@ impl Oracle {
         if let Some(stored) = status.stored.filter(|_| !is_aligning || self.realigned) {
             self.stored_off = wrap_angle(stored.heading_rad - truth.euler.heading).abs();
         }
-        let entered_off = self.entered.map_or(0.0, |entered| metres(&entered, &truth.place));
         let before = self.last;
         self.last = status.state;
         let now = status.state;
         let shows = |state| matches!(state, State::Ready | State::Navigation | State::Realignment);
         if matches!(now, State::Off | State::Test) {
-            self.entered = None;
+            self.mistake = 0.0;
         }
         match now {
             State::Realignment => self.realigned = true,
@@ -179,7 +187,7 @@ impl Oracle {
                 velocity: 0.2
                     + 31.0 * G * (level + of_fixes + of_stored)
                     + if of_fixes > 0.0 { 6.0 } else { 0.0 },
-                position: entered_off + 20.0 + if keeps_heading { self.solution.position } else { 0.0 },
+                position: self.mistake + 20.0 + if keeps_heading { self.solution.position } else { 0.0 },
             };
         }
         // ATT follows the apparent vertical with a time constant of 120 s; the heading turns with the Earth.
@@ -265,6 +273,7 @@ fn live(seed: u64) -> [u64; 5] {
         Grade::Strategic.parameters(),
         Grade::Navigation.parameters(),
         Grade::Tactical.parameters(),
+        Grade::Industrial.parameters(),
     ];
     let sensors = each[draws.random_range(0..each.len())];
     let latitude_deg = [0.0, 20.0, -45.0, 60.0, 70.0, -81.0][draws.random_range(0..6)];
@@ -278,15 +287,17 @@ fn live(seed: u64) -> [u64; 5] {
         last: State::Off,
         realigned: false,
         last_truth: None,
-        entered: None,
+        mistake: 0.0,
         stored_off: 0.0,
         switched_on: Geodetic::default(),
     };
     let mut valid = [0; 5];
     let mut failed = None;
+    // A crew that enters a position often, or seldom, so that it is old when the alignment ends.
+    let is_eager = draws.random_range(0..2) == 0;
     for _ in 0..draws.random_range(20..40) {
         // Mostly what a crew does, at times anything.
-        match draws.random_range(0..16) {
+        match draws.random_range(0..15) {
             0..=4 => aircraft.unit.select([Mode::Align, Mode::Navigate][draws.random_range(0..2)]),
             5 => aircraft.unit.select(Mode::Attitude),
             6 => aircraft.unit.select(Mode::Off),
@@ -318,12 +329,6 @@ fn live(seed: u64) -> [u64; 5] {
                     .unwrap();
             }
             13 => {
-                let heading = aircraft.heading();
-                if aircraft.unit.enter_heading(wrap_angle(heading)).is_ok() {
-                    oracle.att.heading = oracle.att.tilt;
-                }
-            }
-            14 => {
                 let sigma_m_s = draws.random_range(0.0..0.2);
                 aircraft.receiver = Some(Receiver::new(seed, 3.0, sigma_m_s));
             }
@@ -346,12 +351,21 @@ fn live(seed: u64) -> [u64; 5] {
                 let is_lost = draws.random::<f64>() < probability && step < steps;
                 aircraft.simulator.set_failure(output, is_lost.then_some(Failure::Dead)).unwrap();
             }
-            // The crew enters the position when it is asked for.
-            if draws.random_range(0..200) == 0 {
-                let Geodetic { latitude_rad, longitude_rad, .. } = aircraft.place();
-                if aircraft.unit.enter_position(latitude_rad, longitude_rad).is_ok() {
-                    oracle.entered = Some(aircraft.place());
+            // The crew enters position and heading at any moment, also in motion; every fourth position with a mistake.
+            if draws.random_range(0..if is_eager { 100 } else { 2000 }) == 0 {
+                let mut claimed = aircraft.place();
+                if draws.random_range(0..4) == 0 {
+                    claimed.latitude_rad += draws.random_range(-1e-4..1e-4);
+                    claimed.longitude_rad += draws.random_range(-1e-4..1e-4);
                 }
+                if aircraft.unit.enter_position(claimed.latitude_rad, claimed.longitude_rad).is_ok() {
+                    oracle.enter(metres(&claimed, &aircraft.place()));
+                }
+            }
+            if draws.random_range(0..500) == 0
+                && aircraft.unit.enter_heading(wrap_angle(aircraft.heading())).is_ok()
+            {
+                oracle.att.heading = oracle.att.tilt;
             }
             aircraft.go(motion, DT);
             let Some(imu) = aircraft.simulator.imu() else { continue };
