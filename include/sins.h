@@ -1490,7 +1490,8 @@ typedef struct sins_covariance {
     uint32_t struct_size;
     /**
      * Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, SINS_ERRORS_WITHOUT_CORRECTIONS, and
-     * SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation, or an error of this run, exceeds the limits of that flag.
+     * SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation, or an error of this run, exceeds the limits of that flag, or if the mean
+     * error by random drop-outs, over all runs, has exceeded them since the start.
      */
     int32_t flags;
     /** Time [s]. */

@@ -30,7 +30,8 @@ pub struct sins_covariance {
     /// sizeof(sins_covariance)
     pub struct_size: u32,
     /// Flags of enum sins_errors_flags, or'ed: SINS_ERRORS_NEAR_POLE, SINS_ERRORS_WITHOUT_CORRECTIONS, and
-    /// SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation, or an error of this run, exceeds the limits of that flag.
+    /// SINS_ERRORS_OUTSIDE_VALIDITY if a standard deviation, or an error of this run, exceeds the limits of that flag, or if the mean
+    /// error by random drop-outs, over all runs, has exceeded them since the start.
     pub flags: i32,
     /// Time [s].
     pub time_s: f64,

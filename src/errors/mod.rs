@@ -12,9 +12,16 @@ pub use accuracy::{Accuracy, AccuracyFigures, SCHULER_S};
 pub use carried::CarriedErrors;
 pub use difference::navigation_minus_truth;
 pub use model::{ErrorModel, SensorErrors};
-pub(crate) use model::{ModelBatch, ModelInterval, VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD, column};
+pub(crate) use model::{ModelBatch, ModelInterval, column};
+use model::{VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD};
 
 use nalgebra::Vector3;
+
+/// Whether errors with these squares, of position [m²] and of misalignment [rad²], are small enough for the linear equations.
+pub(crate) fn are_linear(position2: f64, misalignment2: f64) -> bool {
+    position2 < VALID_DISPLACEMENT_M * VALID_DISPLACEMENT_M
+        && misalignment2 < VALID_MISALIGNMENT_RAD * VALID_MISALIGNMENT_RAD
+}
 
 /// Errors of a solution, computed less true. Angles are wrapped differences.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

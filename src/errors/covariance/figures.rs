@@ -17,7 +17,8 @@ pub struct NavigationCovariance {
     pub matrix: Matrix9,
     /// Error ellipse of the horizontal position.
     pub ellipse: ErrorEllipse,
-    /// Whether a standard deviation, or an error of this run, is so large that the terms neglected by the linear equations matter.
+    /// Whether a standard deviation, or an error of this run, is so large that the terms neglected by the linear equations matter, or the
+    /// mean of what random drop-outs lose has been so since the start.
     pub outside_validity: bool,
     /// Whether the host has corrected the INS since the start: the covariance leaves the corrections out.
     pub without_corrections: bool,

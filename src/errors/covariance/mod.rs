@@ -16,7 +16,8 @@
 //! is integrated sample by sample, and each process counts as a straight line of the same integral and first moment (`line`).
 //!
 //! It is the covariance about the mean, so it does not contain constant errors (given biases, steps and spikes of failures, the
-//! constant parts of gravity). An axis whose failure lets through a share of its signal has this share of each column.
+//! constant parts of gravity). An axis whose failure lets through a share of its signal has this share of each column. The mean of
+//! what random drop-outs lose is propagated beside it: where it is beyond the linear equations, the covariance is wrong from then on.
 
 mod alignment;
 mod factor;

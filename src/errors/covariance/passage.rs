@@ -9,6 +9,8 @@ use super::root::Root;
 use super::sources::{AXES, ErrorInput, LINES, RandomErrors, Source};
 use super::stretch::Stretch;
 use crate::base::math::VectorPair;
+use crate::earth::state::StateErrors;
+use crate::errors::are_linear;
 use crate::errors::column::{At, Column, advance, keep_within};
 use crate::mechanization::{VerticalLoop, VerticalMode};
 use crate::signal::MotionNode;
@@ -180,6 +182,10 @@ impl Root {
         self.factor.iter().for_each(|column| columns.take(transition * column));
         self.advance_processes(&mut model, &transition, &mut columns, parameters);
         add_noise(&model, &mut columns, parameters);
+        let mean_errors = stretch.mean_errors();
+        if mean_errors.is_some() || self.mean != Column::zeros() {
+            self.mean = model.over(&self.mean, &mean_errors.unwrap_or([VectorPair::both(&NONE); 3])).0;
+        }
         triangularize(&mut columns.all[..columns.used]);
         self.factor.copy_from_slice(&columns.all[..ROWS]);
         self.channel = channel.with_states([0.0; 2]);
@@ -188,6 +194,10 @@ impl Root {
         }
         self.columns_mut().for_each(keep_within);
         self.bound();
+        if self.mean != Column::zeros() {
+            let StateErrors { position_n, misalignment_n, .. } = at.errors(&self.mean);
+            self.mean_was_beyond |= !are_linear(position_n.norm_squared(), misalignment_n.norm_squared());
+        }
     }
 
     /// S⁺ = a (Φ S + γ) + s δ of each process, and the columns of the part of the errors that is not correlated with the processes any

@@ -79,6 +79,7 @@ impl Propagation {
     /// Returns to the state before a flight: the processes continue, the errors are 0.
     fn clear(&mut self) {
         self.root.columns_mut().for_each(|column| *column = Column::zeros());
+        self.root.mean_was_beyond = false;
         self.root.channel = VerticalLoop::new();
         self.stretch = Stretch::EMPTY;
     }

@@ -6,8 +6,8 @@ use super::figures::{ErrorEllipse, Matrix9, NavigationCovariance};
 use super::root::Root;
 use super::sources::{AXES, ErrorInput, RandomErrors, Source};
 use crate::earth::state::StateErrors;
+use crate::errors::are_linear;
 use crate::errors::column::At;
-use crate::errors::{VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD};
 use crate::signal::mounting::Block;
 use crate::truth::TruthPoint;
 
@@ -71,12 +71,10 @@ pub(super) fn covariance_of(
         }
     }
     let sum = |rows: [usize; 3]| rows.iter().map(|&row| matrix[(row, row)]).sum::<f64>();
-    let outside_validity = !(sum([0, 1, 2]) < VALID_DISPLACEMENT_M * VALID_DISPLACEMENT_M
-        && sum([6, 7, 8]) < VALID_MISALIGNMENT_RAD * VALID_MISALIGNMENT_RAD);
     NavigationCovariance {
         matrix,
         ellipse: ErrorEllipse::new(matrix[(0, 0)], matrix[(1, 1)], matrix[(0, 1)]),
-        outside_validity,
+        outside_validity: root.mean_was_beyond || !are_linear(sum([0, 1, 2]), sum([6, 7, 8])),
         without_corrections: false,
     }
 }

@@ -18,6 +18,10 @@ pub(super) struct Root {
     pub sensitivities: Box<[Column]>,
     /// L, lower triangular.
     pub factor: Box<[Column]>,
+    /// Mean of the errors, as far as random drop-outs cause it.
+    pub mean: Column,
+    /// Whether the mean has been beyond the limits of the linear equations since the start.
+    pub mean_was_beyond: bool,
     /// Variances of the random walks [u²].
     pub walks: [f64; WALKS],
     /// The vertical loop with the gains of the last stretch.
@@ -29,6 +33,8 @@ impl Root {
         Ok(Self {
             sensitivities: filled(COUNT, Column::zeros())?,
             factor: filled(ROWS, Column::zeros())?,
+            mean: Column::zeros(),
+            mean_was_beyond: false,
             walks: [0.0; WALKS],
             channel: VerticalLoop::new(),
         })
@@ -37,6 +43,7 @@ impl Root {
     pub fn copy_from(&mut self, other: &Self) {
         self.sensitivities.copy_from_slice(&other.sensitivities);
         self.factor.copy_from_slice(&other.factor);
+        (self.mean, self.mean_was_beyond) = (other.mean, other.mean_was_beyond);
         (self.walks, self.channel) = (other.walks, other.channel);
     }
 
@@ -54,6 +61,6 @@ impl Root {
     }
 
     pub fn columns_mut(&mut self) -> impl Iterator<Item = &mut Column> {
-        self.sensitivities.iter_mut().chain(&mut *self.factor)
+        self.sensitivities.iter_mut().chain(&mut *self.factor).chain([&mut self.mean])
     }
 }

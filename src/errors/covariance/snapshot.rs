@@ -21,17 +21,20 @@ impl Propagation {
 
 impl Stored for Propagation {
     fn save(&self, to: &mut Writer<'_>) {
-        let Root { sensitivities, factor, walks: _, channel } = &self.root;
+        let Root { sensitivities, factor, mean, mean_was_beyond, walks: _, channel } = &self.root;
         self.save_waiting(to);
-        sensitivities.iter().chain(factor).for_each(|column| Numbers::save(column, to));
+        sensitivities.iter().chain(factor).chain([mean]).for_each(|column| Numbers::save(column, to));
+        mean_was_beyond.save(to);
         channel.save(to);
         self.stretch.save(to);
     }
 
     fn load(&mut self, from: &mut Reader<'_>) -> Result<(), Error> {
         self.load_waiting(from)?;
-        let Root { sensitivities, factor, walks: _, channel } = &mut self.root;
-        sensitivities.iter_mut().chain(factor).try_for_each(|column| Numbers::load(column, from, LARGEST))?;
+        let Root { sensitivities, factor, mean, mean_was_beyond, walks: _, channel } = &mut self.root;
+        let columns = sensitivities.iter_mut().chain(factor).chain([mean]);
+        columns.into_iter().try_for_each(|column| Numbers::load(column, from, LARGEST))?;
+        *mean_was_beyond = from.flag()?;
         channel.load(from)?;
         self.stretch = Stretch::EMPTY;
         self.stretch.load(from)

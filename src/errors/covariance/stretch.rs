@@ -43,6 +43,9 @@ pub struct Stretch {
     end_e: Vector3<f64>,
     /// Integral of the angular rate, sensor axes [rad].
     angle: Vector3<f64>,
+    /// Integrals of the mean errors of rate and force by random drop-outs, and of their products with the time, Earth-fixed axes.
+    lost: [Vector3<f64>; 2],
+    lost_moment: [Vector3<f64>; 2],
     /// ∫ C s_j dt for each component j of rate and force, Earth-fixed axes.
     elements: [Matrix3<f64>; ELEMENTS / 3],
     elements_moment: [Matrix3<f64>; ELEMENTS / 3],
@@ -64,6 +67,8 @@ stored!(Stretch {
     start_e: SIGNALS,
     end_e: SIGNALS,
     angle: SIGNALS,
+    lost: SIGNALS,
+    lost_moment: SIGNALS,
     elements: SIGNALS,
     elements_moment: SIGNALS,
 } then |stretch, from| {
@@ -106,6 +111,8 @@ impl Stretch {
         start_e: Vector3::new(0.0, 0.0, 0.0),
         end_e: Vector3::new(0.0, 0.0, 0.0),
         angle: Vector3::new(0.0, 0.0, 0.0),
+        lost: [Vector3::new(0.0, 0.0, 0.0); 2],
+        lost_moment: [Vector3::new(0.0, 0.0, 0.0); 2],
         elements: [ZERO; ELEMENTS / 3],
         elements_moment: [ZERO; ELEMENTS / 3],
     };
@@ -155,6 +162,11 @@ impl Stretch {
         }
         for (axis, (share, density)) in parameters.outputs.into_iter().enumerate() {
             let signal = if axis < 3 { angle[axis] } else { velocity[axis - 3] };
+            if share > 0.0 && share < 1.0 {
+                let lost_e = axes.column(axis % 3) * ((share - 1.0) * signal / t);
+                self.lost[axis / 3] += lost_e;
+                self.lost_moment[axis / 3] += lost_e * (self.length_s + 0.5 * t);
+            }
             self.shares[axis] += share * t;
             // Drop-outs lose the signal of an interval with the probability 1 - share.
             self.noise[axis] += density * density * t + share * (1.0 - share) * signal * signal;
@@ -186,6 +198,22 @@ impl Stretch {
                 node(self.end_e, force + half_force),
             ],
             [axes - half_axes, axes, axes + half_axes],
+        )
+    }
+
+    /// The mean errors of rate and force by random drop-outs, at the nodes, in Earth-fixed axes; `None`: there are none.
+    pub fn mean_errors(&self) -> Option<[VectorPair; 3]> {
+        if self.lost == [Vector3::zeros(); 2] {
+            return None;
+        }
+        let t = self.length_s;
+        let [(rate, half_rate), (force, half_force)] = core::array::from_fn(|triad| {
+            let (sum, moment) = (self.lost[triad], self.lost_moment[triad]);
+            (sum / t, (moment / t - sum * 0.5) * (6.0 / t))
+        });
+        Some(
+            [-1.0, 0.0, 1.0]
+                .map(|side| VectorPair::new(&(rate + half_rate * side), &(force + half_force * side))),
         )
     }
 

@@ -3,7 +3,7 @@
 use super::Chain;
 use crate::earth::state::StateErrors;
 use crate::errors::covariance::{NavigationCovariance, Propagation, StartErrors};
-use crate::errors::{NavigationErrors, VALID_DISPLACEMENT_M, VALID_MISALIGNMENT_RAD};
+use crate::errors::{NavigationErrors, are_linear};
 use crate::signal::mounting::Block;
 use crate::simulator::Imperfections;
 use crate::simulator::start::alignment;
@@ -47,10 +47,9 @@ impl Chain {
     ) -> Option<(f64, NavigationCovariance, bool)> {
         let covariance = self.covariance.first_mut()?;
         let matrix = covariance.read(truth, self.block.as_ref(), &imperfections.parameters());
-        // The covariance is that about the mean. Where drop-outs lose a share of the signal, the mean itself is large.
+        // The covariance is that about the mean. Of constant errors this run shows the mean.
         let NavigationErrors { position_n, misalignment_n, .. } = self.navigation_errors(truth);
-        let is_small = position_n.norm_squared() < VALID_DISPLACEMENT_M * VALID_DISPLACEMENT_M
-            && misalignment_n.norm_squared() < VALID_MISALIGNMENT_RAD * VALID_MISALIGNMENT_RAD;
+        let is_small = are_linear(position_n.norm_squared(), misalignment_n.norm_squared());
         let matrix = NavigationCovariance {
             outside_validity: matrix.outside_validity || !is_small,
             without_corrections: self.is_corrected,

@@ -2,10 +2,10 @@
 
 use sins::ensemble::Ensemble;
 use sins::math::Euler;
-use sins::sensors::{Axis, Failure, InitialErrorParameters, SensorOutput};
+use sins::sensors::{Axis, Failure, InitialErrorParameters, SensorOutput, StreamKey};
 use sins::{ErrorParameters, Options, Simulator};
 
-use super::scenes::{Scene, everything};
+use super::scenes::{Scene, built_in, everything};
 use super::{chi_square_bounds, quantile};
 use crate::support::{DEG, G, resting_sample};
 
@@ -59,28 +59,74 @@ fn a_failure_changes_the_scatter_as_the_covariance_says() {
     }
 }
 
-/// A vehicle that rolls at 1 deg/s loses a quarter of it: after 8 s the mean tilt is 2 degrees, beyond which the equations are not linear.
-/// The standard deviation of the tilt is far below that.
+/// Rolls at 1 deg/s to and fro about the forward axis, y, of which a quarter is lost. The mean tilt is a quarter of the roll, whatever this
+/// run lost. Beyond 2 degrees the equations are not linear, and what they have got wrong by then stays, also when the vehicle has rolled
+/// back. The standard deviation of the tilt is far below that.
 #[test]
 fn a_mean_beyond_the_linear_equations_is_flagged() {
-    let mut simulator = Simulator::new(&Options { covariance: true, ..Options::default() }).unwrap();
-    let output = SensorOutput::Gyro(Axis::X);
-    for k in 0..=400 {
-        let mut sample = resting_sample(0.1 * f64::from(k));
-        sample.euler = Euler { roll: 0.1 * f64::from(k) * DEG, ..Euler::default() };
-        simulator.push_sample(&sample).unwrap();
-        if k == 1 {
-            simulator
-                .set_failure(output, Some(Failure::DropOuts { interval_s: 0.0, probability: 0.25 }))
-                .unwrap();
-        }
-        simulator.step().unwrap();
-        if k > 0 {
+    const PERIOD_S: f64 = 0.1;
+    let output = SensorOutput::Gyro(Axis::Y);
+    let drop_outs = Failure::DropOuts { interval_s: 0.0, probability: 0.25 };
+    let mut alone = 0;
+    for (run, back_at) in [(0, 400), (1, 400), (2, 60), (3, 120), (4, 120)] {
+        let key = StreamKey { seed: 7, run };
+        let mut simulator = Simulator::new(&Options { covariance: true, key, ..Options::default() }).unwrap();
+        let mut is_beyond = false;
+        for k in 0..=400 {
+            let mut sample = resting_sample(PERIOD_S * f64::from(k));
+            let steps = if (k / back_at) % 2 == 0 { k % back_at } else { back_at - k % back_at };
+            sample.euler = Euler { roll: PERIOD_S * f64::from(steps) * DEG, ..Euler::default() };
+            simulator.push_sample(&sample).unwrap();
+            if k == 1 {
+                simulator.set_failure(output, Some(drop_outs)).unwrap();
+            }
+            simulator.step().unwrap();
+            if k == 0 {
+                continue;
+            }
             let (_, covariance, _) = simulator.covariance().unwrap().unwrap();
             let tilt =
                 simulator.errors(sins::ErrorSource::Navigation).unwrap().unwrap().1.misalignment_n.norm();
-            assert_eq!(covariance.outside_validity, tilt >= 0.035, "{k}: {tilt}");
+            let mean = 0.25 * sample.euler.roll;
+            // The mean of the linear equations is within their square of it.
+            let is_close = (mean - 0.035).abs() < 0.035 * 0.035;
+            is_beyond |= mean >= 0.035;
+            if !is_close {
+                assert_eq!(
+                    covariance.outside_validity,
+                    is_beyond || tilt >= 0.035,
+                    "{run}, {k}: {mean} {tilt}"
+                );
+            }
+            alone += u32::from(is_beyond && tilt < 0.035);
             assert!(covariance.sigma()[6..].iter().all(|sigma| *sigma < 0.02));
         }
     }
+    assert!(alone > 100, "{alone}");
+}
+
+/// A gyro that loses 2 % of aerobatics: after 200 s the squares of the errors about their mean are thrice those of the covariance, which
+/// each run says, also one whose own error is small.
+#[test]
+fn the_flag_of_drop_outs_in_turns_is_that_of_every_run() {
+    let (mut flagged, mut small) = (Vec::new(), 0);
+    for run in 0..12 {
+        let scene = Scene::new("failing", built_in("aerobatics", 200.0, 0.1), everything());
+        let options = *scene.simulator(&scene.setting, true).options();
+        let mut simulator = Simulator::new(&Options { key: StreamKey { seed: 7, run }, ..options }).unwrap();
+        scene.setting.set_to(&mut simulator).unwrap();
+        for (k, sample) in scene.samples.iter().enumerate() {
+            if k == 3 {
+                let failure = Failure::DropOuts { interval_s: 0.0, probability: 0.02 };
+                simulator.set_failure(SensorOutput::Gyro(Axis::Z), Some(failure)).unwrap();
+            }
+            simulator.push_sample(sample).unwrap();
+            simulator.step().unwrap();
+        }
+        let error = simulator.errors(sins::ErrorSource::Navigation).unwrap().unwrap().1.misalignment_n.norm();
+        flagged.push(simulator.covariance().unwrap().unwrap().1.outside_validity);
+        small += u32::from(error < 0.035);
+    }
+    println!("{small} of 12 runs with a small error: {flagged:?}");
+    assert!(small > 0 && flagged.iter().all(|flag| *flag), "{small}: {flagged:?}");
 }
