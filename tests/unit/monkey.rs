@@ -10,7 +10,9 @@ use sins::earth::state::Navigation;
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, rotate, wrap_angle};
 use sins::sensors::{Axis, Failure, Grade, SensorOutput, TriadParameters};
-use sins::unit::{AlignmentKind, Mode, Power, State, StoredAlignment, UnitNavigation, Validity};
+use sins::unit::{
+    AlignmentKind, Mode, Power, State, StoredAlignment, UnitNavigation, UnitParameters, Validity,
+};
 
 use crate::aircraft::{Aircraft, Motion, Receiver, papers_sensors};
 use crate::support::{DEG, EARTH_RATE, G};
@@ -53,6 +55,9 @@ struct Bounds {
 struct Oracle {
     gyro: Triad,
     accel: Triad,
+    /// The shortest time of a gyrocompass, and half of its shortest window [s].
+    compass_s: f64,
+    half_window_s: f64,
     /// What the solution may err.
     solution: Bounds,
     /// What the attitude of ATT may err.
@@ -77,9 +82,9 @@ impl Oracle {
         self.solution.position = self.solution.position.max(20.0 + mistake);
     }
 
-    /// Largest tilt that levelling leaves: accelerometers, noise over half a window of 10 s, and a start by 0.2 m.
+    /// Largest tilt that levelling leaves: accelerometers, noise over half a window, and a start by 0.2 m.
     fn level(&self) -> f64 {
-        let force = self.accel.mean + self.accel.scale * G + self.accel.noise / 5f64.sqrt();
+        let force = self.accel.mean + self.accel.scale * G + self.accel.noise / self.half_window_s.sqrt();
         force / G + self.gyro.mean * 30.0 + self.gyro.noise * 30f64.sqrt() + 2e-4
     }
 
@@ -104,7 +109,7 @@ impl Oracle {
     fn compass(&self, latitude_rad: f64, t: f64) -> f64 {
         let horizontal = EARTH_RATE * latitude_rad.cos();
         let rate = self.gyro.mean + self.gyro.scale * EARTH_RATE + 1.5 * self.gyro.noise / t.sqrt();
-        let accel = self.accel.noise / 5f64.sqrt() + self.accel.mean;
+        let accel = self.accel.noise / self.half_window_s.sqrt() + self.accel.mean;
         let of_sensors = rate / horizontal
             + self.gyro.mean * t
             + accel / G * (latitude_rad.tan().abs() + 2.0 / (horizontal * t));
@@ -175,7 +180,7 @@ impl Oracle {
                 AlignmentKind::InFlight => SIGMAS * 0.1 * DEG,
                 // Only a simulation can make it, at once and without an error.
                 AlignmentKind::Fast | AlignmentKind::Instant => level,
-                _ => self.heading_at_rest(aircraft, truth, 250.0),
+                _ => self.heading_at_rest(aircraft, truth, self.compass_s),
             };
             // A wrong heading turns the way of the vertical since the last window.
             let of_stored = self.of_stored(aircraft);
@@ -279,7 +284,14 @@ fn live(seed: u64) -> [u64; 5] {
     let latitude_deg = [0.0, 20.0, -45.0, 60.0, 70.0, -81.0][draws.random_range(0..6)];
     let mut aircraft = Aircraft::new(latitude_deg, seed, RATE_HZ, &sensors);
     aircraft.roll_rate = 20.0 * DEG;
+    // Every other unit aligns in two minutes, so that it does so often.
+    let alignment_s = [0.0, 120.0][draws.random_range(0..2)];
+    let parameters = UnitParameters { alignment_s, ..Default::default() };
+    aircraft.unit.set_parameters(&parameters).unwrap();
+    let (compass_s, half_window_s) = if alignment_s > 0.0 { (100.0, 3.0) } else { (250.0, 5.0) };
     let mut oracle = Oracle {
+        compass_s,
+        half_window_s,
         gyro: Triad::of(&sensors.0, 1.0),
         accel: Triad::of(&sensors.1, 1.0),
         solution: Bounds::default(),
@@ -352,7 +364,7 @@ fn live(seed: u64) -> [u64; 5] {
                 aircraft.simulator.set_failure(output, is_lost.then_some(Failure::Dead)).unwrap();
             }
             // The crew enters position and heading at any moment, also in motion; every fourth position with a mistake.
-            if draws.random_range(0..if is_eager { 100 } else { 2000 }) == 0 {
+            if draws.random_range(0..if is_eager { 100 } else { 20_000 }) == 0 {
                 let mut claimed = aircraft.place();
                 if draws.random_range(0..4) == 0 {
                     claimed.latitude_rad += draws.random_range(-1e-4..1e-4);
