@@ -54,7 +54,12 @@ impl Course {
         snapshot: &[u8],
     ) -> Result<(Box<[Simulator; 1]>, Option<Unit>), Error> {
         let mut place = self.place;
-        let loaded = Reader::read(snapshot, SnapshotOf::Play, |from| {
+        // A unit is large: it is read in its place, not handed from one frame of the stack to the next.
+        let mut unit = match has_unit {
+            true => Some(Unit::new(&UnitParameters::default(), Mode::Off)?),
+            false => None,
+        };
+        let simulator = Reader::read(snapshot, SnapshotOf::Play, |from| {
             place.load(from)?;
             let all = self.count().unwrap_or(u64::MAX);
             from.enter("snapshot: samples that were flown");
@@ -74,17 +79,12 @@ impl Course {
                 f64::from(saved_unit),
                 "is there or not, unlike that of the scene",
             )?;
-            let unit = match has_unit {
-                true => {
-                    let mut unit = Unit::new(&UnitParameters::default(), Mode::Off)?;
-                    unit.load(from)?;
-                    Some(unit)
-                }
-                false => None,
-            };
-            Ok((simulator, unit))
+            if let Some(unit) = &mut unit {
+                unit.load(from)?;
+            }
+            Ok(simulator)
         })?;
         self.place = place;
-        Ok(loaded)
+        Ok((simulator, unit))
     }
 }
