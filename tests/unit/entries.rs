@@ -24,8 +24,11 @@ fn taxi(aircraft: &mut Aircraft) {
     aircraft.go(BRAKE, 6.0);
 }
 
+/// What the aircraft does.
+type Way = fn(&mut Aircraft);
+
 /// Each way in which the aircraft leaves the place where a position was entered, seen by the test of motion or not.
-fn ways() -> Vec<(&'static str, UnitParameters, fn(&mut Aircraft))> {
+fn ways() -> Vec<(&'static str, UnitParameters, Way)> {
     let usual = UnitParameters::default();
     vec![
         ("taxiing", usual, |aircraft| {
@@ -45,11 +48,7 @@ fn ways() -> Vec<(&'static str, UnitParameters, fn(&mut Aircraft))> {
             aircraft.go(Motion::Drive { acceleration: 0.003, to: 1.0 }, 600.0);
             aircraft.go(BRAKE, 6.0);
         }),
-        (
-            "motion that is not tested yet",
-            UnitParameters { motion_inhibition_s: 1e5, ..usual },
-            taxi as fn(&mut Aircraft),
-        ),
+        ("motion that is not tested yet", UnitParameters { motion_inhibition_s: 1e5, ..usual }, taxi as Way),
         ("a tolerance of any distance", UnitParameters { motion_distance_m: 1e6, ..usual }, taxi),
         ("ready before", UnitParameters { alignment_s: 60.0, ..usual }, |aircraft| {
             aircraft.until(Motion::Rest, State::Ready, 100.0);
