@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The same bits on other processors and word sizes, and the effects of a host on the library there: Rust's pinned digests, the runs
 # of ensembles compared with single simulators, and the programs of tests/c. ARM is emulated. 32-bit x86 runs on the machine itself
-# if its kernel allows it, because the emulator raises no floating-point exceptions; this library is not optimised. This machine runs the
-# library as released, also on an emulated processor without AVX. Tests that could not run are reported at the end.
+# if its kernel allows it, because the emulator raises no floating-point exceptions. This machine runs the library as released, also on an
+# emulated processor without AVX. (That of the package in tests/packages.sh is not optimised in .ci/run.) Tests that could not run are
+# reported at the end.
 #
 # WebAssembly runs in Node and in Chromium: the digests, by the interface for JavaScript.
 #
@@ -32,17 +33,17 @@ fly() {
     done
 }
 
-# other PROCESSOR DEBIANS_NAME PROFILE RUNNER...: tests another processor with Linux.
+# other PROCESSOR DEBIANS_NAME RUNNER...: tests another processor with Linux.
 other() {
-    local processor=$1 target=$1-unknown-linux-gnu compiler=$1-linux-gnu-gcc profile=$3 variable library
+    local processor=$1 target=$1-unknown-linux-gnu compiler=$1-linux-gnu-gcc variable library
     need "gcc-$processor-linux-gnu" "$compiler"
     need "libc6-dev-$2-cross" "/usr/$processor-linux-gnu/lib/libc.so"
-    library=target/$target/${profile/#dev/debug}/deps/libsins.so
-    shift 3
-    echo "== $processor, with the profile $profile"
+    library=target/$target/debug/deps/libsins.so
+    shift 2
+    echo "== $processor"
     rustup target add "$target"
     variable=CARGO_TARGET_$(echo "$processor" | tr a-z A-Z)_UNKNOWN_LINUX_GNU
-    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test -p tests --profile "$profile" --target "$target" \
+    env "${variable}_LINKER=$compiler" "${variable}_RUNNER=$*" cargo test -p tests --target "$target" \
         --test state -- determinism:: ensemble_widths::
     fly "$compiler" "$library" "$@"
     tests/loading.sh "$compiler -std=c99" "$library" "$@"
@@ -53,15 +54,15 @@ i686() {
     local loader=/usr/i686-linux-gnu/lib/ld-linux.so.2
     need libc6-i386-cross "$loader"
     if "$loader" --version >/dev/null 2>&1; then
-        other i686 i386 unoptimised "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library in the current folder
+        other i686 i386 "$loader" --library-path /usr/i686-linux-gnu/lib:. # tests/loading.sh has its library in the current folder
     else
         could_not "unmasked floating-point exceptions and x87 on 32-bit x86" "the kernel runs no 32-bit programs; emulated"
-        other i686 i386 unoptimised qemu-i386 -L /usr/i686-linux-gnu
+        other i686 i386 qemu-i386 -L /usr/i686-linux-gnu
     fi
 }
 
 aarch64() {
-    other aarch64 arm64 dev qemu-aarch64 -L /usr/aarch64-linux-gnu
+    other aarch64 arm64 qemu-aarch64 -L /usr/aarch64-linux-gnu
 }
 
 wasm32() {
