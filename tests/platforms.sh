@@ -26,6 +26,7 @@ fly() {
     local compiler=$1 library=$2
     shift 2
     cp "$library" "$folder/libsins.so"
+    ln -sf libsins.so "$folder/libsins.so.1" # the name within an installed library
     for name in $programs; do
         "$compiler" -std=c99 -O1 -I include "tests/c/$name.c" -o "$folder/$name" -L "$folder" -lsins -lm -lpthread \
             -Wl,-rpath,"$folder"
