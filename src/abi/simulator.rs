@@ -1,5 +1,7 @@
 //! `sins_sim`: the simulator's life, and its steps.
 
+use std::panic::resume_unwind;
+
 use super::boundary::handle::hand_out;
 use super::boundary::tables::SIMULATORS;
 use super::boundary::{enter, enter_without_simulator};
@@ -65,17 +67,22 @@ pub(super) fn look_at<T>(
         .map_err(|status| CallError::of_handle(status, name))
 }
 
-/// What `work` makes of a simulator that it may change, as [`look_at`].
+/// What `work` makes of a simulator that it may change, as [`look_at`]. A defect of `work` goes on to the caller, whose own object is
+/// half changed too.
 pub(super) fn work_with<T>(
     sim: *const sins_sim,
     name: &'static str,
     work: impl FnOnce(&mut Simulator) -> T,
 ) -> Result<T, CallError> {
-    let mut made = None;
+    let (mut has_begun, mut made) = (false, None);
     let status = SIMULATORS.with(sim.addr(), |memory| {
+        has_begun = true;
         made = Some(work(&mut memory[0]));
         Ok(SINS_OK)
     });
+    if has_begun && made.is_none() {
+        resume_unwind(Box::new("a defect in the work on an argument"));
+    }
     made.ok_or_else(|| CallError::of_handle(status, name))
 }
 
@@ -310,4 +317,27 @@ pub unsafe extern "C-unwind" fn sins_reset(sim: *mut sins_sim) -> sins_status {
         simulator.reset();
         Ok(SINS_OK)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+    use std::ptr::{null, null_mut};
+
+    use super::*;
+    use crate::abi::failure::SINS_ERROR_INTERNAL;
+
+    #[test]
+    fn a_defect_in_the_work_on_an_argument_reaches_the_callers_object() {
+        let mut sim = null_mut();
+        // SAFETY: null is allowed, and `sim` takes the handle.
+        assert_eq!(unsafe { sins_create(null(), &raw mut sim) }, SINS_OK);
+        let caught =
+            catch_unwind(AssertUnwindSafe(|| work_with(sim, "sim", |_| -> u32 { panic!("a defect") })));
+        assert!(caught.is_err());
+        // From now on the simulator is broken, and no defect goes on.
+        let after = work_with(sim, "sim", |_| 0).map_err(|error| error.status);
+        assert_eq!(after, Err(SINS_ERROR_INTERNAL));
+        sins_destroy(sim);
+    }
 }
