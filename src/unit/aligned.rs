@@ -22,6 +22,13 @@ const SINE_TOLERANCE: f64 = 0.2;
 const SIGMAS: f64 = 5.0;
 
 impl Unit {
+    /// A unit that is no longer ready aligns on.
+    fn align_on(&mut self) {
+        if self.state == State::Ready {
+            self.enter(State::FineAlignment);
+        }
+    }
+
     /// Ends the alignment if the position is known and the tests are passed.
     pub(super) fn finish(
         &mut self,
@@ -38,7 +45,10 @@ impl Unit {
             return Ok(());
         }
         self.reasons.no_position = self.entered.is_none();
-        let Some(Entry { latitude_rad, .. }) = self.entered else { return Ok(()) };
+        let Some(Entry { latitude_rad, .. }) = self.entered else {
+            self.align_on();
+            return Ok(());
+        };
         self.reasons.latitude_too_high = latitude_rad.abs() > parameters.max_latitude_rad;
         if self.reasons.latitude_too_high {
             return Ok(());
@@ -52,9 +62,7 @@ impl Unit {
                 return Ok(());
             }
             if !self.knows_north(parameters) {
-                if self.state == State::Ready {
-                    self.enter(State::FineAlignment);
-                }
+                self.align_on();
                 return Ok(());
             }
         }

@@ -120,6 +120,7 @@ impl Unit {
     /// Begins an alignment, or the erection of ATT.
     fn begin(&mut self, state: State, simulator: &Simulator) {
         self.look_at(simulator);
+        self.place_e = simulator.true_point().map(|point| point.state.r_e);
         self.alignment = AlignmentProgress::default();
         self.motion = Default::default();
         self.inertial = Default::default();

@@ -164,6 +164,42 @@ fn a_stored_position_does_not_hold_elsewhere() {
     }
 }
 
+/// A unit that is ready, and creeps away without that the test of motion sees it, is not ready any more.
+#[test]
+fn a_ready_unit_that_creeps_away_asks_for_its_position() {
+    let tolerant = UnitParameters {
+        alignment_s: 60.0,
+        motion_distance_m: 1e6,
+        motion_threshold_m_s: 1e3,
+        ..Default::default()
+    };
+    let mut aircraft = entered(20.0, tolerant);
+    aircraft.until(Motion::Rest, State::Ready, 100.0);
+    let status = aircraft.go(Motion::Drive { acceleration: 4e-4, to: 1.0 }, 400.0);
+    assert!(!status.reasons.motion, "{status:?}");
+    assert!(status.state == State::FineAlignment && status.reasons.no_position, "{status:?}");
+}
+
+/// A position that is entered as soon as a short time at OFF has begun a realignment holds there, far from the first alignment.
+#[test]
+fn a_position_holds_from_the_begin_of_a_realignment() {
+    let mut aircraft = Aircraft::ideal(20.0);
+    aircraft.align();
+    aircraft.unit.select(Mode::Navigate);
+    aircraft.stand(10.0);
+    taxi(&mut aircraft);
+    aircraft.unit.set_parameters(&UnitParameters { quick_off_s: 5.0, ..Default::default() }).unwrap();
+    aircraft.unit.select(Mode::Off);
+    aircraft.stand(3.0);
+    aircraft.unit.select(Mode::Navigate);
+    aircraft.until(Motion::Rest, State::Realignment, 3.0);
+    let place = aircraft.place();
+    aircraft.unit.enter_position(place.latitude_rad + 2e-5, place.longitude_rad).unwrap();
+    aircraft.until(Motion::Rest, State::Navigation, 100.0);
+    let error = aircraft.errors().position_n;
+    assert!((error.y - 127.0).abs() < 1.0 && error.x.abs() < 1.0, "{error:?}");
+}
+
 /// Gusts that stop the alignment leave the aircraft in its place: the position stays.
 #[test]
 fn a_position_stays_where_the_aircraft_sways() {
