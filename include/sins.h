@@ -198,8 +198,8 @@ typedef enum sins_status_code {
     /** The bytes are not a snapshot, or are one that is damaged or of a newer release. */
     SINS_ERROR_SNAPSHOT = -13,
     /**
-     * A defect inside the library was caught. This handle returns this status from now on; other handles still work, and so does a
-     * simulator that the call only read, such as the template of sins_ensemble_create().
+     * A defect inside the library was caught. Each handle that the call could have changed returns this status from now on. Other handles
+     * still work, also a simulator that the call only reads, such as the template of sins_ensemble_create().
      */
     SINS_ERROR_INTERNAL = -99
 } sins_status_code;
@@ -1306,8 +1306,9 @@ typedef struct sins_accuracy {
     /** sizeof(sins_accuracy) */
     uint32_t struct_size;
     /**
-     * 1: the rates RER, R50 and R95 are figures of the INS. 0: it has navigated for less than a Schuler period, 5064 s (84.4 min).
-     * Within a period its errors swing back, so the rates depend on the moment, and a display leaves them out.
+     * 1: duration_s is at least a Schuler period, 5064 s (84.4 min), and the window has errors. 0: the errors still swing back, so the
+     * rates RER, R50 and R95 depend on the moment, and a display leaves them out. The time in which a unit aligns counts, and so do
+     * errors that sins_correct() removed: then the rates are not figures of the INS alone.
      */
     uint32_t has_rates;
     /** Time [s]. */

@@ -256,7 +256,8 @@ typedef struct sins_budget_request {
  * SINS_ERROR_TIME_ORDER, SINS_ERROR_DISCONTINUITY: as sins_push_sample().
  * SINS_ERROR_SINGULAR: too close to a pole, in geographic axes or for gyrocompassing.
  * SINS_ERROR_DIVERGED: a solution diverged.
- * SINS_ERROR_BAD_STATE: struct_size of a sample changed during the call; another thread that sets all of them to 1 ends the call.
+ * SINS_ERROR_BAD_STATE: a sample became invalid during the call. To end the call, another thread may set struct_size of samples to 1,
+ * and nothing else.
  * SINS_ERROR_OUT_OF_MEMORY: no memory.
  *
  * sins_last_error(NULL, ...) on this thread gives the reason and the sample.

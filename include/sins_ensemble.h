@@ -39,7 +39,7 @@ typedef struct sins_ensemble sins_ensemble;
  *
  * SINS_ERROR_BAD_STATE: configured has taken a sample since it was created or reset, or navigates on increments.
  * SINS_ERROR_INVALID_ARGUMENT: runs not from 1 to 4294967295, or first_run + runs - 1 above 2^64 - 1.
- * SINS_ERROR_OUT_OF_MEMORY: no memory for all runs, which is asked for before any is taken; or 4096 ensembles exist.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for all runs, which the call checks before it allocates; or 4096 ensembles exist.
  *
  * ```c
  * sins_sim *drawn = NULL;

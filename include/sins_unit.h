@@ -141,9 +141,9 @@ typedef struct sins_unit_params {
     double in_flight_heading_rad;
     /**
      * Standard deviation of the heading above which a gyrocompass does not end [rad], 1e-9 to 4; 0: the default.
-     * Until then the heading is not valid, and the status has SINS_UNIT_REASON_NORTH_UNKNOWN. The default is 1
-     * degree, and this library's: gyros of navigation grade reach it at all latitudes of max_latitude_rad, those of
-     * tactical grade at none. 4 accepts each heading.
+     * Until then the heading is not valid. When the time of the alignment is over, the status has
+     * SINS_UNIT_REASON_NORTH_UNKNOWN. The default is 1 degree, and this library's: gyros of navigation grade reach
+     * it at all latitudes up to 82 degrees, those of tactical grade at none. 4 accepts each heading.
      */
     double heading_limit_rad;
 } sins_unit_params;
@@ -306,7 +306,7 @@ SINS_API sins_status SINS_CALL sins_unit_press_test(sins_unit *unit);
  * navigation.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
- * SINS_ERROR_BAD_STATE: the unit does not align.
+ * SINS_ERROR_BAD_STATE: the unit neither aligns nor is ready.
  */
 SINS_API sins_status SINS_CALL sins_unit_enter_position(sins_unit *unit, double latitude_rad, double longitude_rad);
 
@@ -399,9 +399,10 @@ typedef enum sins_unit_state {
     /** Alignment without an attitude yet; also while the unit moves and cannot align. */
     SINS_UNIT_STATE_COARSE_ALIGNMENT = 2,
     /**
-     * Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored, and the sensors show north as
-     * accurately as heading_limit_rad. In flight it begins when the first windows show an attitude, and the heading is valid when it is
-     * as accurate as in_flight_heading_rad. An alignment of kind SINS_UNIT_ALIGNMENT_FAST shows neither.
+     * Alignment, with an attitude; from its half on with a heading, if a latitude was entered, or is stored and the aircraft stands where
+     * the unit was switched on, and the sensors show north as accurately as heading_limit_rad. In flight it begins when the first windows
+     * show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad. An alignment of kind
+     * SINS_UNIT_ALIGNMENT_FAST shows neither.
      */
     SINS_UNIT_STATE_FINE_ALIGNMENT = 3,
     /** Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight. */

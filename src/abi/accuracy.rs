@@ -15,8 +15,9 @@ use crate::simulator::{ClosureFigures, TrimFigures};
 pub struct sins_accuracy {
     /// sizeof(sins_accuracy)
     pub struct_size: u32,
-    /// 1: the rates RER, R50 and R95 are figures of the INS. 0: it has navigated for less than a Schuler period, 5064 s (84.4 min).
-    /// Within a period its errors swing back, so the rates depend on the moment, and a display leaves them out.
+    /// 1: duration_s is at least a Schuler period, 5064 s (84.4 min), and the window has errors. 0: the errors still swing back, so the
+    /// rates RER, R50 and R95 depend on the moment, and a display leaves them out. The time in which a unit aligns counts, and so do
+    /// errors that sins_correct() removed: then the rates are not figures of the INS alone.
     pub has_rates: u32,
     /// Time [s].
     pub time_s: f64,

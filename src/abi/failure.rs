@@ -54,8 +54,8 @@ pub const SINS_ERROR_BUFFER_TOO_SMALL: sins_status_code = -11;
 pub const SINS_ERROR_OUT_OF_MEMORY: sins_status_code = -12;
 /// The bytes are not a snapshot, or are one that is damaged or of a newer release.
 pub const SINS_ERROR_SNAPSHOT: sins_status_code = -13;
-/// A defect inside the library was caught. This handle returns this status from now on; other handles still work, and so does a
-/// simulator that the call only read, such as the template of sins_ensemble_create().
+/// A defect inside the library was caught. Each handle that the call could have changed returns this status from now on. Other handles
+/// still work, also a simulator that the call only reads, such as the template of sins_ensemble_create().
 pub const SINS_ERROR_INTERNAL: sins_status_code = -99;
 
 /// Returns the name of a status code, such as "SINS_OK", or "unknown status" for any other number. The text lives as long

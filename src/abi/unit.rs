@@ -194,7 +194,7 @@ pub unsafe extern "C-unwind" fn sins_unit_press_test(unit: *mut sins_unit) -> si
 /// navigation.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range.
-/// SINS_ERROR_BAD_STATE: the unit does not align.
+/// SINS_ERROR_BAD_STATE: the unit neither aligns nor is ready.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_unit_enter_position(
     unit: *mut sins_unit,

@@ -60,7 +60,7 @@ pub struct Unit {
     time_s: Option<f64>,
     /// The position that was entered.
     entered: Option<Entry>,
-    /// The same, refused because it is far from what is stored.
+    /// The position that was entered and refused because it is far from the stored one.
     refused: Option<Entry>,
     /// Where the aircraft was at the last update in an alignment, Earth-fixed axes \[m\].
     place_e: Option<Vector3<f64>>,

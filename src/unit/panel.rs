@@ -67,9 +67,10 @@ pub enum State {
     Test,
     /// Alignment without an attitude yet; also while the unit moves and cannot align.
     CoarseAlignment,
-    /// Alignment, with an attitude; from its half on with a heading, if a latitude was entered or is stored, and the sensors show north as
-    /// accurately as heading_limit_rad. In flight it begins when the first windows show an attitude, and the heading is valid when it is
-    /// as accurate as in_flight_heading_rad. An alignment of kind SINS_UNIT_ALIGNMENT_FAST shows neither.
+    /// Alignment, with an attitude; from its half on with a heading, if a latitude was entered, or is stored and the aircraft stands where
+    /// the unit was switched on, and the sensors show north as accurately as heading_limit_rad. In flight it begins when the first windows
+    /// show an attitude, and the heading is valid when it is as accurate as in_flight_heading_rad. An alignment of kind
+    /// SINS_UNIT_ALIGNMENT_FAST shows neither.
     FineAlignment,
     /// Aligned: it waits for SINS_UNIT_NAV, and continues to align. Its velocity is valid if it was aligned in flight.
     Ready,

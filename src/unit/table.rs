@@ -86,7 +86,7 @@ pub const UNIT: [Row; 24] = [
         "The default is 0.1 degree, and this library's."),
     number(("heading_limit_rad", "standard deviation of the heading above which a gyrocompass does not end"),
         ("unit.heading_limit_rad", "rad"), OrDefault(DEG, 1e-9, 4.0), ("heading_limit_deg", "deg", DEG),
-        "Until then the heading is not valid, and the status has SINS_UNIT_REASON_NORTH_UNKNOWN. The default is 1 degree, and this \
-            library's: gyros of navigation grade reach it at all latitudes of max_latitude_rad, those of tactical grade at none. \
-            4 accepts each heading."),
+        "Until then the heading is not valid. When the time of the alignment is over, the status has SINS_UNIT_REASON_NORTH_UNKNOWN. \
+            The default is 1 degree, and this library's: gyros of navigation grade reach it at all latitudes up to 82 degrees, those \
+            of tactical grade at none. 4 accepts each heading."),
 ];

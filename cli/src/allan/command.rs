@@ -34,7 +34,8 @@ pub struct Order {
     /// Also writes a scene at rest whose sensors have the noise of the record
     ///
     /// The columns of a sensor are its axes x, y and z, in the order of the log; a single column stands for all three. Coefficients that
-    /// the record does not show are left out, and those that it shows with less than 99.7 % are comments.
+    /// the record does not show are left out, and those that it shows at a confidence below 99.7 %
+    /// are comments.
     /// `sins fly SCENE.toml --imu IMU.csv` makes a record that can be compared.
     #[arg(long = "write", value_name = "SCENE.toml")]
     pub scene: Option<PathBuf>,

@@ -77,7 +77,6 @@ impl Text {
             }
             Fault { line, column, sentence, .. } => format!("{}:{line}:{column}: {sentence}", self.origin),
         };
-        // --preset sets several keys: what is wrong with its word is one fault.
         let mut failures: Vec<Failure> = Vec::new();
         let mut said = Vec::new();
         for fault in faults {
