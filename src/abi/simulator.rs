@@ -338,6 +338,7 @@ mod tests {
         // From now on the simulator is broken, and no defect goes on.
         let after = work_with(sim, "sim", |_| 0).map_err(|error| error.status);
         assert_eq!(after, Err(SINS_ERROR_INTERNAL));
-        sins_destroy(sim);
+        // SAFETY: the handle of above.
+        unsafe { sins_destroy(sim) };
     }
 }
