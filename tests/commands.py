@@ -165,7 +165,9 @@ def run(page, title, line, folder, environment):
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     interrupted = False
     try:
-        out, errors = command.communicate(timeout=LONGEST_S if is_ours else None)
+        # The next commands fly a scene that is written.
+        ends = not is_ours or " --write " in line
+        out, errors = command.communicate(timeout=None if ends else LONGEST_S)
     except subprocess.TimeoutExpired:
         interrupted = True
         command.send_signal(signal.SIGINT)
