@@ -1,6 +1,6 @@
 """Runs the commands of README.md and docs as printed: commands.py BUILT FOLDER
 
-BUILT has the shared library, its interfaces and the program sins. A command that flies for longer is interrupted after 3 s, and must end
+BUILT has the shared library, its interfaces and the program sins. A command that flies for longer is interrupted after 10 s, and must end
 as after Ctrl-C; docs/renew.sh runs those whose figures the pages have to their ends. FOLDER has for each page a folder that stands for the project: its files
 are links, and what the commands make stays in it. Each indented line of a page whose first word is a program or a file of the project is
 run, or is in one of the lists below; so is each `sins ...` within a sentence that sets a key.
@@ -85,7 +85,7 @@ FILES = {
 }
 
 # Time after which a command is interrupted [s], and its exit code then.
-LONGEST_S, INTERRUPTED = 3, 130
+LONGEST_S, INTERRUPTED = 10, 130
 
 # Exit codes of commands that answer: 3 is no, 4 too few runs. The scenes of this file answer for no real INS.
 ENDS = {"ensemble": [0, 3, 4]}
@@ -172,6 +172,9 @@ def run(page, title, line, folder, environment):
         interrupted = True
         command.send_signal(signal.SIGINT)
         out, errors = command.communicate()
+        # The next ensemble may have the same name.
+        for checkpoint in folder.glob("sins_out/*.checkpoint"):
+            checkpoint.unlink()
     if command.returncode not in ([0, INTERRUPTED] if interrupted else ENDS.get(line.split()[1], [0]) if is_ours else [0]):
         sys.exit(f"{page}, {title}: {line}\n{out}{errors}{command.returncode}")
     said = line.partition("#")[2].split()
