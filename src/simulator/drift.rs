@@ -50,7 +50,7 @@ impl Simulator {
         Bound { set: set + self.gyro().quantization.amax() / t, sigma }
     }
 
-    /// The same of the mean specific force \[m/s²\].
+    /// Bound of the error of the mean specific force along any axis \[m/s²\], with the arguments of `mean_rate_error`.
     pub(crate) fn mean_force_error(
         &self,
         signals: &Signals,
@@ -61,6 +61,7 @@ impl Simulator {
         self.mean_error(Sensor::Accelerometer, signals, t, temperatures_c, since_start_s)
     }
 
+    /// Bound of the mean error of `sensor` that is set or drawn, without the quantization of gyros.
     fn mean_error(
         &self,
         sensor: Sensor,
