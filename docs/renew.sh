@@ -3,6 +3,7 @@
 # the tables, and copy what changed. Run it on a quiet machine, because some figures are times. It takes some hours.
 #   docs/renew.sh              all
 #   docs/renew.sh NAME...      some: the names of the functions below
+#   docs/renew.sh --check      only compares the sizes that documents state with those of what it builds, and fails if one is off
 set -euo pipefail
 cd "$(dirname "$0")/.."
 figures=$PWD/target/figures
@@ -111,6 +112,33 @@ for name in "$@"; do
     fi
 done
 mkdir -p "$figures"
+
+# stated VALUE FILE PATTERN [UNIT]: the number that \(...\) of PATTERN matches in a line of FILE is VALUE, or VALUE / UNIT, within 3 %.
+stated() {
+    local figure
+    figure=$(sed -n "s/.*$3.*/\1/p" "$2" | tr -d ' ')
+    awk -v value="$1" -v unit="${4:-1}" -v figure="$figure" -v where="$2" 'BEGIN {
+        is_off = figure == "" || (figure - value / unit) ^ 2 > (0.03 * value / unit) ^ 2
+        printf "%s: %s, and it is %.6g%s\n", where, figure, value / unit, is_off ? ": OFF" : ""
+        exit is_off
+    }' || off=1
+}
+
+# What a machine does not change: sizes.
+check() {
+    local off=0 number='\([0-9 ]*\)'
+    library_sizes | tee "$figures/library_sizes.txt"
+    stated "$(sed -n 's/ bytes $//p' "$figures/library_sizes.txt")" docs/scenes.md "^| with scenes | $number |"
+    stated "$(sed -n 's/ bytes --no-default-features$//p' "$figures/library_sizes.txt")" docs/scenes.md "^| without scenes | $number |"
+    release/page.sh "$figures"
+    stated "$(stat -c %s "$figures/sins.html")" docs/web.md 'The file has \([0-9.]*\) MB' 1e6
+    return $off
+}
+if [ "${1:-}" = --check ]; then
+    check
+    exit
+fi
+
 # In a folder of its own: the builds of the program and of the shared library replace each other.
 cargo build --release -p sins-cli --target-dir target/program
 for name in ${*:-$all}; do
