@@ -23,21 +23,3 @@ pub fn builtin(name: &str) -> Option<Scene> {
     let (_, text) = BUILTIN_SCENES.iter().find(|(known, _)| *known == name)?;
     Scene::parse(text.as_bytes()).ok()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_built_in_scene_is_read_and_has_a_flight() {
-        for (name, text) in BUILTIN_SCENES {
-            let scene = Scene::parse(text.as_bytes()).unwrap_or_else(|faults| panic!("{name}: {faults:?}"));
-            assert!(!scene.title.is_empty(), "{name}");
-            let flight = scene.flight().unwrap();
-            assert!((60.0..=flight.duration_s()).contains(&scene.flown_s().unwrap()), "{name}");
-            assert!(scene.simulator().is_ok(), "{name}");
-            let named = Scene::parse(format!("[flight]\nbuiltin = \"{name}\"\n").as_bytes()).unwrap();
-            assert_eq!(named.flown_s(), scene.flown_s(), "{name} as the flight of another scene");
-        }
-    }
-}

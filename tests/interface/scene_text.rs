@@ -26,6 +26,19 @@ fn faults(text: &str) -> Vec<Fault> {
     Scene::parse(text.as_bytes()).err().unwrap_or_default()
 }
 
+#[test]
+fn every_built_in_scene_is_read_and_has_a_flight() {
+    for (name, text) in BUILTIN_SCENES {
+        let scene = read(text);
+        assert!(!scene.title.is_empty(), "{name}");
+        let flight = scene.flight().unwrap();
+        assert!((60.0..=flight.duration_s()).contains(&scene.flown_s().unwrap()), "{name}");
+        assert!(scene.simulator().is_ok(), "{name}");
+        let named = read(&format!("[flight]\nbuiltin = \"{name}\"\n"));
+        assert_eq!(named.flown_s(), scene.flown_s(), "{name} as the flight of another scene");
+    }
+}
+
 /// The sentences with their lines.
 fn reported(text: &str) -> Vec<(usize, String)> {
     faults(text).into_iter().map(|fault| (fault.line, fault.sentence)).collect()

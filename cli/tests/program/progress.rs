@@ -17,7 +17,7 @@ fn on_a_terminal(folder: &std::path::Path, arguments: &str) -> String {
 fn a_terminal_sees_how_far_how_fast_and_how_long_still() {
     let folder = folder("terminal");
     for (arguments, words) in [
-        ("fly simulation2 --set flight.hours=24 --set output.every_s=60", "flying: "),
+        ("fly simulation2 --set flight.hours=8 --set output.every_s=60", "flying: "),
         ("budget simulation2 --hours 0.3", "flying each effect alone: "),
         ("ensemble simulation2 --set flight.hours=0.2 --runs 256 --threads 1", "flying 256 runs: "),
     ] {
@@ -26,6 +26,6 @@ fn a_terminal_sees_how_far_how_fast_and_how_long_still() {
         let line = line.unwrap_or_else(|| panic!("{arguments}: {said}"));
         assert!(line.contains(" %, ") && line.contains(" simulated seconds a second, "), "{line}");
     }
-    let (code, said, errors) = run(&folder, &["budget", "simulation2", "--hours", "0.3"]);
+    let (code, said, errors) = run(&folder, &["budget", "simulation2", "--hours", "0.15"]);
     assert!(code == 0 && !(said + &errors).contains(" left"), "{errors}");
 }
