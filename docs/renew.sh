@@ -3,7 +3,7 @@
 # the tables, and copy what changed. Run it on a quiet machine, because some figures are times. It takes some hours.
 #   docs/renew.sh              all
 #   docs/renew.sh NAME...      some: the names of the functions below
-#   docs/renew.sh --check      only compares the sizes that documents state with those of what it builds, and fails if one is off
+#   docs/renew.sh --check      builds the library and the page, compares their sizes with those in the documents, and fails if one is off
 set -euo pipefail
 cd "$(dirname "$0")/.."
 figures=$PWD/target/figures
@@ -124,7 +124,7 @@ stated() {
     }' || off=1
 }
 
-# What a machine does not change: sizes.
+# Sizes of the library and of the page.
 check() {
     local off=0 number='\([0-9 ]*\)'
     library_sizes | tee "$figures/library_sizes.txt"

@@ -402,7 +402,7 @@ fn live(seed: u64) -> [u64; 5] {
 
 #[test]
 fn whatever_is_done_what_is_shown_as_valid_is_right() {
-    let seeds = if cfg!(feature = "long-tests") { 5000 } else { 200 };
+    let seeds = if cfg!(feature = "long-tests") { 5000 } else { 500 };
     let lives = |first: u64| {
         let mut valid = [0; 5];
         for seed in (first..seeds).step_by(2) {

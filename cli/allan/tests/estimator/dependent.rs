@@ -7,7 +7,7 @@ use super::noises::{Coefficients, Normal, increments};
 
 const COUNT: usize = 40_000;
 const DT: f64 = 0.01;
-const RUNS: u32 = if cfg!(feature = "long-tests") { 1000 } else { 30 };
+const RUNS: u32 = if cfg!(feature = "long-tests") { 1000 } else { 60 };
 
 /// Mean of so many neighbours.
 pub fn averaged(values: &[f64], width: usize) -> Vec<f64> {
