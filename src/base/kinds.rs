@@ -6,8 +6,20 @@ use super::error::{Error, Rule};
 ///
 /// The flat form has the quantities of all kinds, each with the value that it has where nobody sets it, and `KINDS`: of each kind the
 /// word of scenes and the quantities that it uses, as errors name them, at the place of its number. The numbers are those of the C
-/// interface. `none` is a flat form that is of no kind; its number is 0. A kind may have one more field than numbers.
+/// interface. `none` is a flat form that is of no kind; its number is 0. A kind may have one more field than numbers. If one row ends
+/// with what its kind does (`acts Added`, a variant of `Acts`), all do.
 macro_rules! kinds {
+    (@acts $kinds:ident: $($kind:ident,)*) => {};
+    (@acts $kinds:ident: $($kind:ident $acts:ident,)*) => {
+        impl $kinds {
+            /// What it does, as its row says.
+            pub(super) fn acts(&self) -> Acts {
+                match self {
+                    $(Self::$kind { .. } => Acts::$acts,)*
+                }
+            }
+        }
+    };
     (
         $(#[$doc:meta])*
         $kinds:ident of $of:literal, flat $flat:ident $(none $none:literal)? {
@@ -15,7 +27,7 @@ macro_rules! kinds {
         } $(with $extra:ident: $extra_type:ty)?
         {
             $($(#[$kind_doc:meta])*
-            $kind:ident = $code:literal $word:literal $({ $($used:ident),* $(; $field:ident: $field_type:ty)? })?),* $(,)?
+            $kind:ident = $code:literal $word:literal $({ $($used:ident),* $(; $field:ident: $field_type:ty)? })? $(acts $acts:ident)?),* $(,)?
         }
     ) => {
         $(#[$doc])*
@@ -83,6 +95,8 @@ macro_rules! kinds {
                 }
             }
         }
+
+        $crate::base::kinds::kinds! { @acts $kinds: $($kind $($acts)?,)* }
 
         // The number of a kind is its place.
         const _: () = {

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::failure::{Axis, Failure, SensorOutput};
+use super::failure::{Acts, Axis, Failure, SensorOutput};
 use super::stream::{Purpose, Source, Stream, StreamKey};
 use crate::base::error::Error;
 use crate::base::snapshot::{Numbers, Reader, SIGNALS, Stored, Writer, stored};
@@ -110,7 +110,8 @@ impl FailingOutput {
             Some(Failure::Stuck | Failure::Dead) => 0.0,
             Some(Failure::DropOuts { interval_s: 0.0, probability }) => 1.0 - probability,
             _ if self.is_silent => 0.0,
-            _ => 1.0,
+            Some(Failure::DropOuts { .. }) | None => 1.0,
+            Some(Failure::BiasStep { .. } | Failure::Spikes { .. } | Failure::Noise { .. }) => 1.0,
         }
     }
 
@@ -118,7 +119,8 @@ impl FailingOutput {
     fn noise(&self) -> f64 {
         match self.failure {
             Some(Failure::Noise { density }) => density,
-            _ => 0.0,
+            Some(Failure::Stuck | Failure::Dead | Failure::DropOuts { .. }) => 0.0,
+            Some(Failure::BiasStep { .. } | Failure::Spikes { .. }) | None => 0.0,
         }
     }
 
@@ -137,7 +139,8 @@ impl FailingOutput {
                 }
                 self.phase_s -= t;
             }
-            _ => {}
+            Some(Failure::Stuck | Failure::Dead | Failure::BiasStep { .. }) => {}
+            Some(Failure::Spikes { .. } | Failure::Noise { .. }) | None => {}
         }
     }
 
@@ -157,18 +160,17 @@ impl FailingOutput {
                 self.phase_s = phase;
                 size * under
             }
-            _ => 0.0,
+            Some(Failure::Stuck | Failure::Dead | Failure::DropOuts { .. }) | None => 0.0,
         }
     }
 
     /// The output over `dt` [s] in place of `measured` [u s].
     pub fn replaced(&mut self, dt: f64, measured: f64) -> f64 {
-        if self.is_silent {
-            0.0
-        } else if self.failure == Some(Failure::Stuck) {
-            *self.held.get_or_insert(measured / dt) * dt
-        } else {
-            measured
+        match self.failure {
+            _ if self.is_silent => 0.0,
+            Some(Failure::Stuck) => *self.held.get_or_insert(measured / dt) * dt,
+            Some(Failure::Dead | Failure::DropOuts { .. }) | None => measured,
+            Some(Failure::BiasStep { .. } | Failure::Spikes { .. } | Failure::Noise { .. }) => measured,
         }
     }
 }
@@ -206,12 +208,12 @@ impl FailingTriad {
 
     /// Whether a failure adds to an output.
     pub fn any_adds(&self) -> bool {
-        self.failures().any(|failure| failure.is_added())
+        self.failures().any(|failure| failure.acts() == Acts::Added)
     }
 
     /// Whether a failure replaces an output.
     pub fn any_replaces(&self) -> bool {
-        self.failures().any(|failure| !failure.is_added())
+        self.failures().any(|failure| failure.acts() == Acts::Replaces)
     }
 
     /// Whether an output has no signal in this interval.

@@ -63,6 +63,15 @@ impl SensorOutput {
     }
 }
 
+/// What a failure does to the output.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Acts {
+    /// It adds to the signal before dead zone, range and quantization.
+    Added,
+    /// It replaces the output behind them.
+    Replaces,
+}
+
 kinds! {
     /// A failure of one output. It lasts from the interval after it is set until it is cleared or replaced by another one.
     ///
@@ -82,24 +91,24 @@ kinds! {
     } {
         /// The output stays at its mean over the interval before the failure, as sins_imu reported it; without such an interval, at
         /// its first value. It is not flagged, because it looks like valid data.
-        Stuck = 1 "stuck",
+        Stuck = 1 "stuck" acts Replaces,
         /// No signal. A gyro or an accelerometer gives 0, and is flagged SINS_IMU_..._INVALID, as by a built-in test. Without the
         /// altimeter nothing stabilizes the vertical channel of SINS_VERTICAL_DAMPED; this is flagged
         /// SINS_NAVIGATION_VERTICAL_UNAIDED.
-        Dead = 2 "dead",
+        Dead = 2 "dead" acts Replaces,
         /// An additional bias; its value is in the field `size`. Not flagged.
-        BiasStep = 3 "bias_step" { size },
+        BiasStep = 3 "bias_step" { size } acts Added,
         /// Rectangular pulses. The field `size` is their height, duration_s their length. A pulse starts every interval_s; the first
         /// starts immediately. A sample of the altimeter shows the mean of the pulses over the sample interval. A gyro or an
         /// accelerometer is flagged only if a pulse saturates it.
-        Spikes = 4 "spikes" { size, interval_s, duration_s },
+        Spikes = 4 "spikes" { size, interval_s, duration_s } acts Added,
         /// Additional white noise; its density is in the field `density`. A sample of the altimeter shows the mean of the noise over
         /// the sample interval. Not flagged.
-        Noise = 5 "noise" { density },
+        Noise = 5 "noise" { density } acts Added,
         /// Sample intervals are lost: in each of them the output acts as with SINS_FAILURE_DEAD. Either each interval is lost
         /// independently with the probability in the field `probability`, or one interval is lost every interval_s, the first
         /// immediately.
-        DropOuts = 6 "drop_outs" { interval_s, probability },
+        DropOuts = 6 "drop_outs" { interval_s, probability } acts Replaces,
     }
 }
 
@@ -179,11 +188,10 @@ impl Failure {
 
     /// Whether it differs from run to run.
     pub fn is_random(&self) -> bool {
-        matches!(self, Self::Noise { .. } | Self::DropOuts { interval_s: 0.0, .. })
-    }
-
-    /// Whether it is added before the output electronics.
-    pub(super) fn is_added(&self) -> bool {
-        matches!(self, Self::BiasStep { .. } | Self::Spikes { .. } | Self::Noise { .. })
+        match self {
+            Self::Noise { .. } => true,
+            Self::DropOuts { interval_s, .. } => *interval_s == 0.0,
+            Self::Stuck | Self::Dead | Self::BiasStep { .. } | Self::Spikes { .. } => false,
+        }
     }
 }
