@@ -39,7 +39,8 @@
 //! |---|---|
 //! | `base` | what every block uses: mathematics, errors, tables of parameters, [`snapshot`] |
 //! | [`earth`] | ellipsoid, gravity; position, velocity and attitude in their two forms ([`earth::state`]) |
-//! | [`truth`] | the host's samples, checked (`truth::intake`); judged before an INS flies them ([`truth::judge`]); a path that flies, made of the rows of a log ([`truth::smooth`]); flights made from manoeuvres ([`truth::flight`]) |
+//! | [`truth`] | the host's samples, checked (`truth::intake`); a path that flies, made of the rows of a log ([`truth::smooth`]); flights made from manoeuvres ([`truth::flight`]) |
+//! | [`judge`] | the host's samples, judged before an INS flies them |
 //! | [`signal`] | the signal generator (inverse navigation); the block away from the reference point ([`signal::mounting`]) |
 //! | [`sensors`] | the errors of gyros and accelerometers, equations (1)-(3), an effect a file (`sensors::effects`), and of the altimeter; gravity disturbance; errors at the start |
 //! | [`mechanization`] | navigation on measured increments, equations (7)-(24), whose places the module lists |
@@ -174,6 +175,8 @@ pub mod earth;
 pub mod ensemble;
 #[forbid(unsafe_code)]
 pub mod errors;
+#[forbid(unsafe_code)]
+pub mod judge;
 #[forbid(unsafe_code)]
 pub mod mechanization;
 #[cfg(feature = "scenes")]

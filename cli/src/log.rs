@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use sins::judge::Level;
 use sins::scene::Scene;
 use sins::scene::log::{FlightLog, survey};
-use sins::truth::judge::Level;
 use sins::units::DEG;
 
 use crate::failure::Failure;

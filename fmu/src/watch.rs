@@ -1,8 +1,8 @@
 //! Judges the truth that the master gives, for its warnings.
 
+use sins::judge::Judge;
 use sins::scene::Scene;
 use sins::truth::FlightSample;
-use sins::truth::judge::Judge;
 
 /// Samples between two looks at the findings.
 const EVERY: u64 = 50;
@@ -41,6 +41,6 @@ impl Watch {
 }
 
 fn sentences(judge: &mut Judge, at_end: bool) -> Vec<String> {
-    let sentence = |finding: sins::truth::judge::Finding| format!("truth: {}", finding.with_remedy());
+    let sentence = |finding: sins::judge::Finding| format!("truth: {}", finding.with_remedy());
     judge.new_doubts(at_end).map(sentence).collect()
 }

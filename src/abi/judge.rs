@@ -14,8 +14,8 @@ use super::sample::sins_flight_sample;
 use super::sentence::Sentence;
 use super::text::chars;
 use crate::base::memory::{only, room};
+use crate::judge::{Finding, Judge, Kind, Level, MAX_FINDINGS};
 use crate::simulator::Options;
-use crate::truth::judge::{Finding, Judge, Kind, Level, MAX_FINDINGS};
 
 /// A judge of the samples of a flight. A handle is a checked key, like that of a sins_sim, and is never confused with one.
 /// sins_last_error(NULL, ...) on the same thread gives the failures of its functions.

@@ -121,7 +121,7 @@ impl Answer {
 #[cfg(test)]
 thread_local! {
     /// Steps of all answers of this thread.
-    pub(super) static STEPS: core::cell::Cell<u64> = const { core::cell::Cell::new(0) };
+    pub(crate) static STEPS: core::cell::Cell<u64> = const { core::cell::Cell::new(0) };
 }
 
 #[cfg(test)]

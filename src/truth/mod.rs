@@ -3,7 +3,6 @@
 mod answer;
 pub mod flight;
 mod intake;
-pub mod judge;
 mod limits;
 mod point;
 mod ring;
@@ -13,6 +12,8 @@ mod snapshot;
 mod steps;
 mod summary;
 
+#[cfg(test)]
+pub(crate) use answer::STEPS;
 pub(crate) use answer::{Answer, SUMS_M};
 pub use intake::{Intake, Pushed};
 pub use limits::IntakeLimits;

@@ -2,9 +2,9 @@
 
 use sins::ErrorKind;
 use sins::earth::{Earth, Geodetic};
+use sins::judge::{Judge, Kind, Level};
 use sins::math::Euler;
 use sins::truth::FlightSample;
-use sins::truth::judge::{Judge, Kind, Level};
 use sins::truth::smooth::{SmoothOptions, Smoothed};
 
 use crate::judge::faults::{float32, held, move_by, noisy, stale};

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use sins::judge::{Finding, Judge, Level};
 use sins::scene::Scene;
 use sins::scene::log::FlightLog;
-use sins::truth::judge::{Finding, Judge, Level};
 
 use crate::failure::Failure;
 use crate::terminal::say;

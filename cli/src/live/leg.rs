@@ -4,9 +4,9 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use sins::judge::Judge;
 use sins::scene::{Play, Samples};
 use sins::truth::FlightSample;
-use sins::truth::judge::Judge;
 
 use super::blank::Blank;
 use super::log::Log;

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use super::registry::Registry;
 use crate::ensemble::Ensemble;
+use crate::judge::Judge;
 #[cfg(feature = "scenes")]
 use crate::scene::log::FlightLog;
 #[cfg(feature = "scenes")]
 use crate::scene::{Course, Fault, Scene};
 use crate::simulator::Simulator;
 use crate::truth::flight::Flight;
-use crate::truth::judge::Judge;
 use crate::unit::Unit;
 
 /// Simulators, each made by [`crate::base::memory::only`], as memory for it can be missing.

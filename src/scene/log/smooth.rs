@@ -6,9 +6,9 @@ use super::{FlightLog, LogError, LogMapping, fault};
 use crate::base::memory::room;
 use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic};
+use crate::judge::{Finding, Judge, Level};
 use crate::scene::{Fault, Scene};
 use crate::truth::FlightSample;
-use crate::truth::judge::{Finding, Judge, Level};
 use crate::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
 
 /// Most samples of a smoothed log.

@@ -20,8 +20,8 @@ use crate::base::error::{Error, ErrorKind, Rule, check_range};
 use crate::base::math::{Euler, atan2, attitude_from_euler, euler_from_attitude, exp, hypot, ln, sin_cos};
 use crate::base::memory::room;
 use crate::earth::{Earth, Geodetic};
+use crate::judge::Finding;
 use crate::truth::FlightSample;
-use crate::truth::judge::Finding;
 use fit::{Curve, Samples};
 use rows::Rows;
 

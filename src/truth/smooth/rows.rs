@@ -4,8 +4,8 @@ use crate::base::error::{Error, Rule};
 use crate::base::math::Euler;
 use crate::base::memory::room;
 use crate::earth::Earth;
+use crate::judge::{Finding, Judge, Kind, MAX_FINDINGS};
 use crate::truth::FlightSample;
-use crate::truth::judge::{Finding, Judge, Kind, MAX_FINDINGS};
 
 use super::fit::median;
 

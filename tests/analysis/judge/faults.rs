@@ -1,9 +1,9 @@
 //! Faults that logs have, put into good flights: each is found, with its reason.
 
 use nalgebra::Vector3;
+use sins::judge::{Finding, Kind, Level};
 use sins::math::{SPLIT_MIX_STEP, mix, wrap_angle};
 use sins::truth::FlightSample;
-use sins::truth::judge::{Finding, Kind, Level};
 
 use super::flights::{self, Good, Samples, without_velocities};
 use super::judged;

@@ -4,7 +4,7 @@ pub mod faults;
 pub mod flights;
 
 use sins::earth::Earth;
-use sins::truth::judge::{Finding, Judge, Level};
+use sins::judge::{Finding, Judge, Level};
 use sins::truth::{FlightSample, IntakeLimits};
 
 /// The findings in `samples`.

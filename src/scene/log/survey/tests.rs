@@ -261,10 +261,10 @@ fn of_several_vehicles_one_is_read() {
     let numbered = (0..10).map(|k| format!("{k},{k},{},11,300\n", 48.0 + f64::from(k) * 1e-3));
     let (found, _) = read(&("time,id,lat,lon,altitude\n".to_owned() + &numbered.collect::<String>()));
     assert!(!found.text.contains("only"), "{found:?}");
-    let mut judge = crate::truth::judge::Judge::new(crate::earth::Earth::default(), 2000.0).unwrap();
+    let mut judge = crate::judge::Judge::new(crate::earth::Earth::default(), 2000.0).unwrap();
     log.judge(&mut judge, log.samples().len()).unwrap();
-    let late = judge.findings().find(|finding| finding.kind == crate::truth::judge::Kind::TimeOrder).unwrap();
-    assert_eq!((late.count, late.level), (8, crate::truth::judge::Level::Doubtful), "{late}");
+    let late = judge.findings().find(|finding| finding.kind == crate::judge::Kind::TimeOrder).unwrap();
+    assert_eq!((late.count, late.level), (8, crate::judge::Level::Doubtful), "{late}");
 }
 
 #[test]

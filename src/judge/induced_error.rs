@@ -47,10 +47,10 @@ impl InducedError {
 #[cfg(test)]
 mod tests {
     use crate::earth::Earth;
+    use crate::judge::Judge;
     use crate::math::Euler;
     use crate::truth::FlightSample;
-    use crate::truth::answer::STEPS;
-    use crate::truth::judge::Judge;
+    use crate::truth::STEPS;
 
     /// Rows 100 s apart whose clock jumps by every size that a stamp allows: an INS takes at most 401 steps for a row, and one more for its
     /// errors now, and a jump that no INS flies is no error of an INS.
