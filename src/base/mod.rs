@@ -20,5 +20,8 @@ pub mod records;
 pub mod rows;
 #[forbid(unsafe_code)]
 pub mod snapshot;
+#[cfg(feature = "scenes")]
+#[forbid(unsafe_code)]
+pub mod text;
 #[forbid(unsafe_code)]
 pub mod units;

@@ -2,10 +2,11 @@
 
 use toml::de::DeTable;
 
-use super::fault::{Fault, Faults};
+use super::fault::Faults;
 use super::key::Section;
 use super::nesting::too_deep;
 use super::{FlightPath, FlightSource, Scene};
+use crate::base::text::Fault;
 use crate::sensors::{InitialErrorParameters, TriadParameters};
 use crate::truth::flight::FlightStart;
 

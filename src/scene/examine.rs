@@ -1,15 +1,15 @@
 //! Faults of the values of a text: values beyond limits, and settings that do not go together, each at its place.
 
 use super::draft::Draft;
-use super::fault::{About, Fault};
 use super::key::{Section, Target};
-use super::names::{excerpt, nearest};
 use super::reader::{Item, Reader};
 use super::site::ValuePath;
 use super::table::KEYS;
 use super::value::put_back;
 use super::{BUILTIN_SCENES, FlightPath, FlightSource, Scene};
 use crate::base::error::{Error, ErrorKind, Value};
+use crate::base::text::{About, Fault};
+use crate::base::text::{excerpt, nearest};
 
 impl Reader<'_> {
     /// Checks whether the keys go together.

@@ -5,16 +5,17 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::{Draft, FailureDraft, NO_UPDATE, planned_update};
-use super::fault::{About, Fault, Faults};
+use super::fault::Faults;
 use super::foreign::foreign;
 use super::key::Section;
-use super::names::{excerpt, nearest, unknown};
 use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
 use super::setting::take_settings;
 use super::table::{self, KEYS};
 use super::{MAX_TEXT, PlannedAction, Scene, Updated};
 use crate::base::error::Error;
+use crate::base::text::{About, Fault};
+use crate::base::text::{excerpt, nearest, unknown};
 use crate::sensors::FailureFields;
 use crate::truth::flight::{Channel, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields, Sinusoid};
 

@@ -5,13 +5,14 @@ use core::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 use super::draft::Draft;
-use super::fault::{About, Faults};
+use super::fault::Faults;
 use super::key::{Key, Section};
-use super::names::{nearest, unknown};
 use super::setting::Setting;
 use super::site::Site;
 use super::table::{self, KEYS, names_of};
 use super::value::{Value, put, put_back, put_element};
+use crate::base::text::About;
+use crate::base::text::{nearest, unknown};
 use crate::truth::flight::Manoeuvre;
 
 type Span = Range<usize>;

@@ -3,8 +3,8 @@
 use core::fmt;
 
 use super::key::{Key, Section, Target};
-use super::names::{excerpt, nearest, unknown};
 use super::table::{KEYS, names_of, of_section};
+use crate::base::text::{excerpt, nearest, unknown};
 
 /// A section, or an item of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

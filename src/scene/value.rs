@@ -7,14 +7,10 @@ use super::draft::Draft;
 use super::key::{Key, Target};
 use super::limits::{Limits, limits};
 use super::log::LogColumn;
-use super::names::{excerpt, nearest};
 use super::nesting::too_deep;
-use super::written::number_text;
 use crate::base::error::{Error, Rule};
 use crate::base::parameter::Shape;
-
-/// Largest size of a text in a scene [bytes].
-pub const MAX_TEXT_VALUE: usize = 4096;
+use crate::base::text::{MAX_TEXT_VALUE, excerpt, nearest, number_text};
 
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,7 @@
 use super::draft::Draft;
 use super::key::{Key, Target};
 use crate::base::parameter::Shape;
-use crate::base::records;
+use crate::base::text::{number_text, text_in_quotes};
 
 /// The value of `key`, or one number of it, in TOML; empty: it has none. A number that has no equal in the key's unit is the
 /// nearest.
@@ -68,23 +68,4 @@ fn numbers_text(shape: Shape, numbers: &[f64]) -> String {
     }
     let numbers: Vec<String> = numbers.iter().map(|&number| number_text(number)).collect();
     format!("[{}]", numbers.join(", "))
-}
-
-/// The shortest text that reads back to the bit; TOML wants digits on both sides of a point.
-pub fn number_text(number: f64) -> String {
-    if number == 0.0 && number.is_sign_negative() { "-0.0".to_owned() } else { records::number(number) }
-}
-
-/// A text as TOML writes it.
-pub fn text_in_quotes(text: &str) -> String {
-    let mut quoted = String::from("\"");
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => quoted.extend(['\\', letter]),
-            _ if letter.is_control() => quoted.push_str(&format!("\\u{:04X}", letter as u32)),
-            _ => quoted.push(letter),
-        }
-    }
-    quoted.push('"');
-    quoted
 }

@@ -2,9 +2,9 @@
 
 use super::hemisphere::sides;
 use super::quantity::{QUANTITIES, Quantity, unit_of, units_of};
+use crate::base::text::{MAX_TEXT_VALUE, excerpt, listed, nearest};
+use crate::base::text::{number_text, text_in_quotes};
 use crate::scene::value::Value;
-use crate::scene::written::{number_text, text_in_quotes};
-use crate::scene::{MAX_TEXT_VALUE, excerpt, listed, nearest};
 
 /// Where the values of a quantity stand.
 #[derive(Debug, Clone, PartialEq, Default)]

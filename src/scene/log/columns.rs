@@ -12,8 +12,8 @@ use super::quantity::{
     in_degrees, name,
 };
 use super::{LogError, fault};
+use crate::base::text::{Fault, excerpt, listed, nearest};
 use crate::base::units::DEG;
-use crate::scene::{Fault, excerpt, listed, nearest};
 
 /// Number of quantities.
 pub const COUNT: usize = QUANTITIES.len();

@@ -3,7 +3,7 @@
 use super::Separator;
 use super::quantity::{LATITUDE, LONGITUDE};
 use super::rows::number;
-use crate::scene::excerpt;
+use crate::base::text::excerpt;
 
 /// The letters and the words of a hemisphere, the positive one first.
 type Sides = [[&'static str; 2]; 2];

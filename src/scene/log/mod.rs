@@ -24,8 +24,9 @@ use csv::StringRecord;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
+use crate::base::text::{About, Fault, excerpt};
 use crate::judge::{At, Finding, Judge};
-use crate::scene::{About, Fault, Scene, excerpt, foreign};
+use crate::scene::{Scene, foreign};
 use crate::truth::FlightSample;
 use columns::{columns, only_place, unread};
 use rows::{Table, check_line, names_of, next_row, reader, single_blanks};

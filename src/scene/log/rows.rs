@@ -13,8 +13,8 @@ use super::{LogError, LogMapping, MAX_LINE, Separator, fault};
 use crate::base::error::Error;
 use crate::base::math::{Euler, attitude_from_euler, euler_from_attitude, rotate, sin_cos};
 use crate::base::memory::room;
+use crate::base::text::excerpt;
 use crate::earth::Geodetic;
-use crate::scene::excerpt;
 use crate::truth::FlightSample;
 
 /// Checks a line with its end, so that each row has a line number of its own.

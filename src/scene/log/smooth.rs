@@ -4,10 +4,11 @@ use nalgebra::Vector3;
 
 use super::{FlightLog, LogError, LogMapping, fault};
 use crate::base::memory::room;
+use crate::base::text::Fault;
 use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic};
 use crate::judge::{Finding, Judge, Level};
-use crate::scene::{Fault, Scene};
+use crate::scene::Scene;
 use crate::truth::FlightSample;
 use crate::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
 

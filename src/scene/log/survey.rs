@@ -9,9 +9,9 @@ use super::quantity::{Dimension, QUANTITIES, unit_of};
 use super::text::decoded;
 use super::{Clock, LogMapping, Separator, TimeFormat};
 use crate::base::math::{hypot, sin_cos};
+use crate::base::text::text_in_quotes;
+use crate::base::text::{MAX_TEXT_VALUE, excerpt};
 use crate::base::units::DEG;
-use crate::scene::written::text_in_quotes;
-use crate::scene::{MAX_TEXT_VALUE, excerpt};
 
 /// What a table has.
 #[derive(Debug, Clone, PartialEq)]

@@ -53,7 +53,7 @@ pub fn listed<'w>(names: impl Iterator<Item = &'w str>) -> String {
 }
 
 /// The sentence about a name that there is not, and the `near`est that there is.
-pub(super) fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
+pub fn unknown(what: &str, name: &str, near: Option<&str>) -> String {
     let near = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
     format!("no such {what}: {}{near}", excerpt(name))
 }
