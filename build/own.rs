@@ -4,8 +4,17 @@ use super::model::{Interface, Struct};
 
 /// Checks, when the library is compiled, that the constants SINS_SIZEOF_... are the sizes of the structs.
 pub fn check(interface: &Interface) -> String {
-    let assert =
-        |one: &Struct| format!("const _: () = assert!(size_of::<{}>() == {});\n", one.name, one.size);
+    let assert = |one: &Struct| {
+        format!(
+            "const _: () = assert!(
+    size_of::<{name}>() == {size},
+    \"{name}: its fields have {size} bytes. Where a double begins at a multiple of 8 bytes, as on most platforms, the struct has more. \\
+     Add a field `reserved: i32` behind the new one, as sins_unit_status has, so that the size is the same everywhere.\"
+);\n",
+            name = one.name,
+            size = one.size
+        )
+    };
     interface.structs.iter().map(assert).collect()
 }
 
