@@ -194,11 +194,19 @@ fn an_effect_switched_off_on_and_over_in_flight_leaves_all_others() {
     });
 }
 
-/// The comparison detects each effect: a triad with the effect gives something else than a triad without it.
+/// The comparison detects each effect, also with one data-sheet unit of it: a triad with the effect gives something else than a triad
+/// without it. Pulses and a dead zone would hide small effects behind them.
 #[test]
 fn each_effect_shows() {
     each_effect(|name, sensor, effect| {
-        let everything = everything(sensor, 1.0);
+        let hides = |name: &str| ["quantization", "dead_zone"].contains(&name);
+        let mut everything = everything(sensor, 1.0);
+        for other in effects().filter(|other| hides(PARAMETERS[*other].name) && *other != effect) {
+            everything = without(&everything, other);
+        }
+        if !hides(name) {
+            take(effect, &one_unit_of_each(sensor, 1.0), &mut everything);
+        }
         let mut triads = [everything, without(&everything, effect)].map(|parameters| {
             let mut triad = Triad::new(KEY, sensor);
             triad.set(&parameters);
