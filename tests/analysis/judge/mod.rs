@@ -19,8 +19,8 @@ fn judged(samples: &[FlightSample]) -> Vec<Finding> {
 /// Each good flight, at 50, 10, 5, 2 and 1 Hz, with and without velocities.
 #[test]
 fn good_flights_are_not_doubtful() {
-    let mut count = 0;
-    for flight in flights::all() {
+    let (flights, mut count) = (flights::all(), 0);
+    for flight in &flights {
         for rate_hz in [100.0, 50.0, 10.0, 5.0, 2.0, 1.0] {
             let with = flight.at(rate_hz);
             for (label, samples) in [("with", with.clone()), ("without", flights::without_velocities(&with))]
@@ -37,13 +37,16 @@ fn good_flights_are_not_doubtful() {
         }
     }
     println!("{count} flights");
+    // The built-in scenes, the logs and the vehicles.
+    assert!(flights.len() >= 20 && count == 12 * flights.len(), "{count} of {} flights", flights.len());
 }
 
 /// Any piece of a good flight is good: a few manoeuvres alone do not look like a fault.
 #[test]
 fn pieces_of_good_flights_are_not_doubtful() {
-    let (mut count, mut doubtful) = (0, Vec::new());
-    for flight in flights::all() {
+    let (flights, mut count, mut doubtful) = (flights::all(), 0, Vec::new());
+    for flight in &flights {
+        let before = count;
         for (rate_hz, has_velocity) in [(10.0, true), (10.0, false), (2.0, false), (1.0, true)] {
             let rows = flight.at(rate_hz);
             let samples = if has_velocity { rows } else { flights::without_velocities(&rows) };
@@ -59,9 +62,11 @@ fn pieces_of_good_flights_are_not_doubtful() {
                 }
             }
         }
+        assert!(count > before, "no piece of {} was judged", flight.name);
     }
     println!("{count} pieces");
     assert!(doubtful.is_empty(), "{doubtful:#?}");
+    assert!(flights.len() >= 20, "{}", flights.len());
 }
 
 /// Uneven sampling with right stamps, which differ by up to a fifth of the interval, is not scatter about a steady clock.
