@@ -39,8 +39,9 @@
 //! |---|---|
 //! | `base` | what every block uses: mathematics, errors, tables of parameters, [`snapshot`] |
 //! | [`earth`] | ellipsoid, gravity; position, velocity and attitude in their two forms ([`earth::state`]) |
-//! | [`truth`] | the host's samples, checked (`truth::intake`); a path that flies, made of the rows of a log ([`truth::smooth`]); flights made from manoeuvres ([`truth::flight`]) |
+//! | [`truth`] | the host's samples, checked (`truth::intake`); flights made from manoeuvres ([`truth::flight`]) |
 //! | [`judge`] | the host's samples, judged before an INS flies them |
+//! | `log` | a table or a record of another program becomes samples; a path that flies, made of its rows (`log::smooth`; feature `scenes`) |
 //! | [`signal`] | the signal generator (inverse navigation); the block away from the reference point ([`signal::mounting`]) |
 //! | [`sensors`] | the errors of gyros and accelerometers, equations (1)-(3), an effect a file (`sensors::effects`), and of the altimeter; gravity disturbance; errors at the start |
 //! | [`mechanization`] | navigation on measured increments, equations (7)-(24), whose places the module lists |
@@ -49,7 +50,7 @@
 //! | [`ensemble`] | many runs of one simulator over the same samples; the statistics of their errors ([`ensemble::statistics`]) |
 //! | [`analysis`] | the cheapest options that meet an accuracy ([`analysis::recommend`]), the share of each effect in the errors ([`analysis::budget`]) |
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status; its words of ARINC 429 ([`unit::bus`]) |
-//! | `scene` | a whole scene as text, its failures and updates, and flight logs (`scene::log`; feature `scenes`) |
+//! | `scene` | a whole scene as text, its failures and updates (feature `scenes`) |
 //! | [`abi`] | the C interface; its handles and locks (`abi::boundary`) |
 //!
 //! # Notation
@@ -177,6 +178,9 @@ pub mod ensemble;
 pub mod errors;
 #[forbid(unsafe_code)]
 pub mod judge;
+#[cfg(feature = "scenes")]
+#[forbid(unsafe_code)]
+pub mod log;
 #[forbid(unsafe_code)]
 pub mod mechanization;
 #[cfg(feature = "scenes")]

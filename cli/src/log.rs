@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use sins::judge::Level;
+use sins::log::{FlightLog, survey};
 use sins::scene::Scene;
-use sins::scene::log::{FlightLog, survey};
 use sins::units::DEG;
 
 use crate::failure::Failure;

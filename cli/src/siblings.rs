@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use sins::scene::log::Survey;
+use sins::log::Survey;
 
 /// A file beside that of a known format.
 struct Sibling {

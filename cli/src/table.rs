@@ -4,8 +4,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use csv::{ReaderBuilder, StringRecord};
+use sins::log::{Clock, MAX_COLUMNS};
 use sins::scene::listed;
-use sins::scene::log::{Clock, MAX_COLUMNS};
 
 use crate::failure::Failure;
 use crate::lines::{Lines, Numbers};

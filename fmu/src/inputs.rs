@@ -5,8 +5,8 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::Vector3;
 use sins::Error;
 use sins::earth::Geodetic;
+use sins::log::quantity_of;
 use sins::math::{Euler, atan2, attitude_from_euler, sin_cos};
-use sins::scene::log::quantity_of;
 use sins::truth::FlightSample;
 use sins::units::TEMPERATURE_RANGE_C;
 

@@ -4,9 +4,9 @@ use super::Scene;
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
-use super::log::COLUMN_TAKES;
 use super::table::{KEYS, of_section};
 use super::written::shown;
+use crate::log::COLUMN_TAKES;
 
 /// A key as a reader sees it.
 #[derive(Debug, Clone, PartialEq)]

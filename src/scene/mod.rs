@@ -11,11 +11,9 @@ mod check;
 mod draft;
 mod examine;
 mod fault;
-mod foreign;
 mod key;
 mod limits;
 mod list;
-pub mod log;
 mod nesting;
 mod panel;
 mod play;
@@ -27,7 +25,7 @@ mod setting;
 mod site;
 mod table;
 mod update;
-mod value;
+pub(crate) mod value;
 mod write;
 mod written;
 
@@ -35,7 +33,6 @@ pub(crate) use crate::base::text::MAX_TEXT_VALUE;
 pub use crate::base::text::{About, Fault, excerpt, listed, nearest};
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::MAX_FAULTS;
-pub use foreign::{FDR, GPX, IGC, foreign};
 pub use limits::Limits;
 pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, key_of_field, keys, keys_text};
@@ -48,7 +45,7 @@ pub use schedule::FliesScene;
 pub use update::{PlannedUpdate, Updated};
 pub use write::ChangedKey;
 
-use log::LogMapping;
+use crate::log::LogMapping;
 
 use crate::analysis::budget::BudgetEffect;
 use crate::base::error::{Error, Rule, check_integer};

@@ -6,7 +6,6 @@ use toml::de::{DeTable, DeValue};
 
 use super::draft::{Draft, FailureDraft, NO_UPDATE, planned_update};
 use super::fault::Faults;
-use super::foreign::foreign;
 use super::key::Section;
 use super::nesting::{MAX_NESTING, too_deep};
 use super::reader::{Item, Reader};
@@ -16,6 +15,7 @@ use super::{MAX_TEXT, PlannedAction, Scene, Updated};
 use crate::base::error::Error;
 use crate::base::text::{About, Fault};
 use crate::base::text::{excerpt, nearest, unknown};
+use crate::log::foreign;
 use crate::sensors::FailureFields;
 use crate::truth::flight::{Channel, MAX_MANOEUVRES, MAX_SINUSOIDS, ManoeuvreFields, Sinusoid};
 

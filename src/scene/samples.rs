@@ -2,7 +2,7 @@
 
 use super::{FlightSource, Scene};
 use crate::base::error::{Error, Rule};
-use crate::scene::log::FlightLog;
+use crate::log::FlightLog;
 
 /// Largest rounding error of a time [intervals]: it must not remove a sample.
 const ROUNDING: f64 = 1e-9;

@@ -6,11 +6,11 @@ use super::Scene;
 use super::draft::Draft;
 use super::key::{Key, Target};
 use super::limits::{Limits, limits};
-use super::log::LogColumn;
 use super::nesting::too_deep;
 use crate::base::error::{Error, Rule};
 use crate::base::parameter::Shape;
 use crate::base::text::{MAX_TEXT_VALUE, excerpt, nearest, number_text};
+use crate::log::LogColumn;
 
 /// The value of a key.
 #[derive(Debug, Clone, PartialEq)]

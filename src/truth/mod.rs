@@ -7,7 +7,6 @@ mod limits;
 mod point;
 mod ring;
 mod sample;
-pub mod smooth;
 mod snapshot;
 mod steps;
 mod summary;

@@ -3,9 +3,9 @@
 use sins::ErrorKind;
 use sins::earth::{Earth, Geodetic};
 use sins::judge::{Judge, Kind, Level};
+use sins::log::smooth::{SmoothOptions, Smoothed};
 use sins::math::Euler;
 use sins::truth::FlightSample;
-use sins::truth::smooth::{SmoothOptions, Smoothed};
 
 use crate::judge::faults::{float32, held, move_by, noisy, stale};
 use crate::judge::flights::{self, Good, Samples, without_velocities};

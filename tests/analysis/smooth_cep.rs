@@ -5,8 +5,8 @@
 
 use sins::earth::Earth;
 use sins::ensemble::Ensemble;
+use sins::log::smooth::{SmoothOptions, Smoothed};
 use sins::sensors::{Grade, StreamKey};
-use sins::truth::smooth::{SmoothOptions, Smoothed};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{ErrorParameters, ErrorSource, Options, Simulator};
 

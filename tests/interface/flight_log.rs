@@ -1,7 +1,7 @@
 //! Flight logs: the values that are read, and the faults of a text.
 
 use nalgebra::Vector3;
-use sins::scene::log::{FlightLog, LogError};
+use sins::log::{FlightLog, LogError};
 
 const HEADER: &str = "time_s, latitude_deg,longitude_rad,height_m,roll_rad,pitch_rad,heading_deg";
 

@@ -1,8 +1,8 @@
 //! Tables with other columns, units, signs, axes and times, read by `[log]`.
 
 use sins::abi::*;
+use sins::log::{FlightLog, LogError};
 use sins::scene::Scene;
-use sins::scene::log::{FlightLog, LogError};
 use sins::truth::FlightSample;
 
 use crate::support::DEG;

@@ -5,7 +5,7 @@ use std::ptr::{null, null_mut};
 use std::sync::Arc;
 
 use sins::abi::*;
-use sins::scene::log::FlightLog;
+use sins::log::FlightLog;
 use sins::scene::{Play, Scene, Source};
 use sins::snapshot::{SnapshotOf, seal};
 use sins::truth::FlightSample;

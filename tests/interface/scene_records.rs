@@ -29,7 +29,7 @@ fn the_samples_of_a_flight_and_of_a_log_are_counted() {
     let log = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
     let log: String = log.to_owned()
         + &(0..11).map(|k| format!("{},0,0,0,0,0,0\n", 5.0 + f64::from(k))).collect::<String>();
-    let log = sins::scene::log::FlightLog::parse(log.as_bytes()).unwrap();
+    let log = sins::log::FlightLog::parse(log.as_bytes()).unwrap();
     scene.set(&[("flight.file", "a.csv")]).unwrap();
     assert!(scene.samples(None).is_err());
     let samples = scene.samples(Some(&log)).unwrap();

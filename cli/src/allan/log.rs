@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::ops::Range;
 use std::path::Path;
 
-use sins::scene::log::{Clock, LogMapping};
+use sins::log::{Clock, LogMapping};
 use sins_allan::FEWEST_SAMPLES;
 
 use super::command::Order;

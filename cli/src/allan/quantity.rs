@@ -3,8 +3,8 @@
 use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
 use super::command::Wanted;
+use sins::log::TimeFormat;
 use sins::scene::listed;
-use sins::scene::log::TimeFormat;
 
 use crate::failure::Failure;
 

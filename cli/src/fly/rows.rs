@@ -2,8 +2,8 @@
 
 use std::io::Write;
 
+use sins::log::RowOfPath;
 use sins::records;
-use sins::scene::log::RowOfPath;
 
 use crate::failure::Failure;
 use crate::output::OutputFile;

@@ -4,7 +4,8 @@ use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
 
-use sins::scene::{MAX_TEXT, foreign};
+use sins::log::foreign;
+use sins::scene::MAX_TEXT;
 
 use crate::failure::Failure;
 

@@ -1,8 +1,8 @@
 //! The samples of a log, one after the other: what a simulator would refuse, and the gaps that it bridges.
 
 use sins::Error;
+use sins::log::FlightLog;
 use sins::scene::Scene;
-use sins::scene::log::FlightLog;
 use sins::truth::{Intake, Pushed};
 
 /// Gaps of a log: intervals of more than 2.5 times each of the two before, which are bridged; also a first interval of more than

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use sins::judge::{Finding, Judge, Level};
+use sins::log::FlightLog;
 use sins::scene::Scene;
-use sins::scene::log::FlightLog;
 
 use crate::failure::Failure;
 use crate::terminal::say;

@@ -3,8 +3,8 @@
 use std::io::Read;
 use std::path::Path;
 
+use sins::log::{FlightLog, LogError, LogMapping, survey};
 use sins::scene::Scene;
-use sins::scene::log::{FlightLog, LogError, LogMapping, survey};
 
 use super::file::reject_device;
 use super::record::Table;

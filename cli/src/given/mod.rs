@@ -17,7 +17,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use sins::scene::log::RowOfPath;
+use sins::log::RowOfPath;
 use sins::scene::{Course, FlightSource, Play, Samples, Scene, Source};
 use sins::truth::FlightSample;
 use sins::truth::flight::Flight;

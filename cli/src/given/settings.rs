@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use sins::scene::log::LogMapping;
+use sins::log::LogMapping;
 
 use super::read_scene;
 use crate::failure::Failure;

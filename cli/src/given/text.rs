@@ -3,7 +3,8 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use sins::scene::{BUILTIN_SCENES, Fault, Scene, foreign, nearest};
+use sins::log::foreign;
+use sins::scene::{BUILTIN_SCENES, Fault, Scene, nearest};
 
 use super::file::read_text;
 use super::record::is_record;

@@ -1,6 +1,6 @@
 //! Errors of the library about a sample, in the words of scenes and logs.
 
-use sins::scene::log::column_of;
+use sins::log::column_of;
 use sins::units::DEG;
 use sins::{Error, Rule};
 

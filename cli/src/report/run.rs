@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use sins::earth::state::Navigation;
 use sins::errors::NavigationErrors;
+use sins::log::foreign;
 use sins::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
-use sins::scene::foreign;
 use sins::unit::State;
 
 use crate::drawing::events::Events;

@@ -7,7 +7,7 @@ use super::registry::Registry;
 use crate::ensemble::Ensemble;
 use crate::judge::Judge;
 #[cfg(feature = "scenes")]
-use crate::scene::log::FlightLog;
+use crate::log::FlightLog;
 #[cfg(feature = "scenes")]
 use crate::scene::{Course, Fault, Scene};
 use crate::simulator::Simulator;

@@ -18,8 +18,8 @@ use crate::abi::sentence::Sentence;
 use crate::abi::text::{bytes_of, chars};
 use crate::base::error::{Error, Rule};
 use crate::base::memory::probe;
+use crate::log::{FlightLog, LogError};
 use crate::scene::Scene;
-use crate::scene::log::{FlightLog, LogError};
 
 /// A flight log in memory. A handle is a checked key, as that of sins_sim, and never taken for one.
 #[repr(C)]

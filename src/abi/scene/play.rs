@@ -18,7 +18,7 @@ use crate::abi::simulator::{pushed, sins_sim};
 use crate::abi::unit::sins_unit;
 use crate::abi::unit_status::{sins_unit_navigation, sins_unit_status};
 use crate::base::error::{Error, check_integer};
-use crate::scene::log::FlightLog;
+use crate::log::FlightLog;
 use crate::scene::{Course, Scene, Source, Stopped, shown};
 use crate::simulator::Simulator;
 use crate::unit::Unit;

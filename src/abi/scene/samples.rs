@@ -6,7 +6,7 @@ use crate::abi::boundary::tables::LOGS;
 use crate::abi::failure::{CallError, SINS_OK, sins_status};
 use crate::abi::memory::{Output, interface_struct};
 use crate::base::error::Error;
-use crate::scene::log::FlightLog;
+use crate::log::FlightLog;
 use crate::scene::{Samples, Scene};
 
 /// The samples that a scene flies.

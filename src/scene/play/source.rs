@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::super::{Samples, Scene};
 use crate::base::error::Error;
-use crate::scene::log::FlightLog;
+use crate::log::FlightLog;
 use crate::truth::FlightSample;
 use crate::truth::flight::Flight;
 

@@ -4,8 +4,8 @@ use super::super::key::{Key, Place, Section, Target, one};
 use super::{choice, count, number, si, text, unit};
 use crate::base::parameter::Shape;
 use crate::base::units::DEG;
+use crate::log::{QUANTITIES, Separator, TimeFormat};
 use crate::scene::limits::ANY;
-use crate::scene::log::{QUANTITIES, Separator, TimeFormat};
 
 const L: Section = Section::Log;
 const N: Shape = Shape::Number;

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use super::draws;
 
-use sins::scene::log::FlightLog;
+use sins::log::FlightLog;
 use sins::scene::{Play, Scene, Source};
 
 /// A scene as text. If its flight is a log, the scene names the file NAME.csv.

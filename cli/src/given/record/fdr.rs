@@ -1,8 +1,8 @@
 //! Flight data recorder files of X-Plane (FDR), version 4: keywords, then rows of time, longitude, latitude, altitude, heading, pitch,
 //! roll, and of what the keywords DREF name.
 
+use sins::log::{Clock, LogMapping, TimeFormat};
 use sins::scene::excerpt;
-use sins::scene::log::{Clock, LogMapping, TimeFormat};
 
 use super::{Fault, Rows};
 

@@ -2,8 +2,8 @@
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
+use sins::log::{Clock, LogMapping, TimeFormat};
 use sins::scene::excerpt;
-use sins::scene::log::{Clock, LogMapping, TimeFormat};
 
 use super::{Fault, Rows, left_out};
 

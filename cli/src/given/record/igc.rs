@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use sins::log::{Clock, LogMapping, TimeFormat};
 use sins::scene::excerpt;
-use sins::scene::log::{Clock, LogMapping, TimeFormat};
 
 use super::{Fault, Rows, left_out};
 

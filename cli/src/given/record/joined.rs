@@ -6,9 +6,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
+use sins::log::{ColumnFrom, FlightLog, LogMapping, QUANTITIES, TimeFormat};
 use sins::math::{Euler, attitude_from_euler, euler_from_attitude};
 use sins::scene::excerpt;
-use sins::scene::log::{ColumnFrom, FlightLog, LogMapping, QUANTITIES, TimeFormat};
 use sins::truth::FlightSample;
 
 use super::{Rows, Table, left_out};
@@ -82,7 +82,7 @@ fn part_of(mapping: &LogMapping, files: &Files, file: &str) -> LogMapping {
     let mut clear = |key: &str| {
         let is_needed = ["latitude", "longitude", "height", "roll", "pitch", "heading"].contains(&key);
         let from = if is_needed { ColumnFrom::Constant(0.0) } else { ColumnFrom::OwnName };
-        part.columns[place(key)] = sins::scene::log::LogColumn { from, ..Default::default() };
+        part.columns[place(key)] = sins::log::LogColumn { from, ..Default::default() };
     };
     if !file.is_empty() {
         ["latitude", "longitude"].iter().for_each(|key| clear(key));

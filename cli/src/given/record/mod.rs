@@ -8,8 +8,8 @@ mod joined;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use sins::scene::log::{LogMapping, decoded};
-use sins::scene::{FDR, GPX, IGC, foreign};
+use sins::log::{FDR, GPX, IGC, foreign};
+use sins::log::{LogMapping, decoded};
 
 use super::file::{BEGIN, open};
 use crate::failure::Failure;

@@ -8,6 +8,7 @@
 mod clock;
 mod column;
 mod columns;
+mod foreign;
 mod grid;
 mod guess;
 mod hemisphere;
@@ -16,7 +17,8 @@ mod mapping;
 mod nameless;
 mod quantity;
 mod rows;
-mod smooth;
+pub mod smooth;
+mod smoothed;
 mod survey;
 mod text;
 
@@ -26,17 +28,18 @@ use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
 use crate::base::text::{About, Fault, excerpt};
 use crate::judge::{At, Finding, Judge};
-use crate::scene::{Scene, foreign};
+use crate::scene::Scene;
 use crate::truth::FlightSample;
 use columns::{columns, only_place, unread};
 use rows::{Table, check_line, names_of, next_row, reader, single_blanks};
 
 pub use clock::Clock;
-pub(in crate::scene) use column::TAKES as COLUMN_TAKES;
+pub(crate) use column::TAKES as COLUMN_TAKES;
 pub use column::{ColumnFrom, LogColumn};
+pub use foreign::{FDR, GPX, IGC, foreign};
 pub use mapping::{LogMapping, Separator, TimeFormat};
 pub use quantity::{QUANTITIES, column_of, quantity_of};
-pub use smooth::RowOfPath;
+pub use smoothed::RowOfPath;
 pub use survey::{Survey, survey};
 pub use text::decoded;
 
@@ -293,7 +296,7 @@ impl FlightLog {
     }
 
     /// Whether `scene` may fly it: it was read by the `[log]` of the scene.
-    pub(in crate::scene) fn check_read_by(&self, scene: &Scene) -> Result<(), Error> {
+    pub(crate) fn check_read_by(&self, scene: &Scene) -> Result<(), Error> {
         let is_same = match &self.mapping {
             Some(mapping) => *mapping == scene.log,
             None => *scene.log == LogMapping::default(),

@@ -104,7 +104,7 @@ pub struct LogMapping {
     pub only_column: String,
     /// See [`Self::only_column`].
     pub only: String,
-    /// Whether the path is smoothed ([`crate::truth::smooth`]).
+    /// Whether the path is smoothed ([`crate::log::smooth`]).
     pub smooth: bool,
     /// Rate of the samples of a smoothed path [Hz].
     pub smooth_rate_hz: f64,

@@ -8,9 +8,9 @@ use crate::base::text::Fault;
 use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic};
 use crate::judge::{Finding, Judge, Level};
+use crate::log::smooth::{SmoothOptions, Smoothed, SmoothedPart};
 use crate::scene::Scene;
 use crate::truth::FlightSample;
-use crate::truth::smooth::{SmoothOptions, Smoothed, SmoothedPart};
 
 /// Most samples of a smoothed log.
 const MOST_SAMPLES: f64 = 1e8;

@@ -67,8 +67,7 @@ impl Default for LogColumn {
 }
 
 /// What a column takes, in words.
-pub(in crate::scene) const TAKES: &str =
-    "\"NAME\" of a column, { col = \"NAME\", unit = \"ft\" }, or a number";
+pub(crate) const TAKES: &str = "\"NAME\" of a column, { col = \"NAME\", unit = \"ft\" }, or a number";
 
 /// Whether a text is a name alone, on every system: no path leads out of the folder of the log. On Windows a colon stands behind a drive.
 fn is_beside(name: &str) -> bool {
@@ -77,7 +76,7 @@ fn is_beside(name: &str) -> bool {
 
 impl LogColumn {
     /// The column that a value of a text describes; on an error what is wrong.
-    pub(in crate::scene) fn of(value: &Value, quantity: usize) -> Result<Self, String> {
+    pub(crate) fn of(value: &Value, quantity: usize) -> Result<Self, String> {
         let Quantity { key, dimension, .. } = QUANTITIES[quantity];
         let is_name = |text: &str| {
             !text.is_empty() && !text.chars().any(char::is_control) && text.len() <= MAX_TEXT_VALUE
@@ -179,7 +178,7 @@ impl LogColumn {
     }
 
     /// The column in TOML, which reads back to the bit; empty: the quantity has its own name.
-    pub(in crate::scene) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let from = match &self.from {
             ColumnFrom::OwnName => return String::new(),
             ColumnFrom::Constant(value) => format!("value = {}", number_text(*value)),
