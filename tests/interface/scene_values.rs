@@ -1,12 +1,13 @@
 //! Scenes key by key: the keys as data, values read and set by their paths, items of lists.
 
+use std::collections::BTreeSet;
 use std::ffi::{CStr, CString, c_char};
 use std::ptr::null_mut;
 
 use sins::abi::*;
 use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, KeyKind, KeyLine, Scene, builtin, keys};
 
-use crate::support::{init, text};
+use crate::support::{init, project_file, text};
 
 const MANOEUVRES: &str = "\
 [[manoeuvre]]
@@ -444,23 +445,77 @@ fn faults_of(own: &[KeyLine], key: &KeyLine, words: &[(String, String)], value: 
 
 const FASTER: &str = "[[manoeuvre]]\nkind = \"accelerate\"\nduration_s = 30\nspeed_change_m_s = 100\n";
 
+/// The words of each condition are those of the key that it names; the kinds of one quantity are among them, and those of none are not.
 #[test]
 fn conditions_name_the_items_that_use_a_key() {
+    let all = keys();
     let of = |section: &str, name: &str| {
-        keys().into_iter().find(|key| (key.section, key.name) == (section, name)).unwrap().condition
+        all.iter().find(|key| (key.section, key.name) == (section, name)).unwrap().condition.clone()
     };
-    assert_eq!(of("manoeuvre", "kind"), "");
-    assert_eq!(of("manoeuvre", "bank_deg"), "kind=turn");
-    assert_eq!(of("manoeuvre", "turns"), "kind=roll|loop|s_turn");
-    assert_eq!(of("manoeuvre.sinusoid", "amplitude_m_s"), "channel=speed");
-    assert_eq!(of("manoeuvre.sinusoid", "phase_deg"), "");
-    assert_eq!(of("failure", "axis"), "sensor=gyro|accelerometer");
-    assert_eq!(of("failure", "size_m"), "kind=bias_step|spikes sensor=altimeter");
-    assert_eq!(of("failure", "interval_s"), "kind=spikes|drop_outs");
-    assert_eq!(of("update", "sigma_m"), "kind=position|horizontal_position");
-    assert_eq!((of("update", "sigma_m_s").as_str(), of("update", "every_s").as_str()), ("kind=velocity", ""));
-    assert_eq!((of("panel", "heading_deg").as_str(), of("panel", "at_s").as_str()), ("kind=heading", ""));
-    assert_eq!(of("gyro", "bias_deg_h"), "");
+    let mut count = 0;
+    for key in all.iter().filter(|key| !key.condition.is_empty()) {
+        for condition in key.condition.split(' ') {
+            let (name, words) = condition.split_once('=').unwrap();
+            let named = all.iter().find(|other| (other.section, other.name) == (key.section, name)).unwrap();
+            let KeyKind::Words(known) = named.kind else { panic!("{}: {condition}", key.name) };
+            assert!(words.split('|').all(|word| known.contains(&word)), "{}: {condition}", key.name);
+            count += 1;
+        }
+    }
+    assert!(count > 15, "{count}");
+    // Further kinds may use a quantity too.
+    for (section, name, by, uses, not) in [
+        ("manoeuvre", "bank_deg", "kind", "turn", "loop"),
+        ("manoeuvre", "turns", "kind", "roll", "climb"),
+        ("manoeuvre", "turns", "kind", "s_turn", "straight"),
+        ("manoeuvre.sinusoid", "amplitude_m_s", "channel", "speed", "roll"),
+        ("failure", "axis", "sensor", "gyro", "altimeter"),
+        ("failure", "size_m", "kind", "bias_step", "stuck"),
+        ("failure", "size_m", "kind", "spikes", "noise"),
+        ("failure", "size_m", "sensor", "altimeter", "gyro"),
+        ("failure", "interval_s", "kind", "drop_outs", "dead"),
+        ("update", "sigma_m", "kind", "horizontal_position", "velocity"),
+        ("update", "sigma_m_s", "kind", "velocity", "position"),
+        ("panel", "heading_deg", "kind", "heading", "position"),
+    ] {
+        let condition = of(section, name);
+        let has = |word: &str| {
+            let words = condition.split(' ').find_map(|one| one.strip_prefix(by)?.strip_prefix('='));
+            words.unwrap_or_else(|| panic!("{section}.{name}: {condition}")).split('|').any(|one| one == word)
+        };
+        assert!(has(uses) && !has(not), "{section}.{name}: {condition}");
+    }
+    for (section, name) in [
+        ("manoeuvre", "kind"),
+        ("manoeuvre.sinusoid", "phase_deg"),
+        ("update", "every_s"),
+        ("panel", "at_s"),
+        ("gyro", "bias_deg_h"),
+    ] {
+        assert_eq!(of(section, name), "", "{section}.{name}");
+    }
+}
+
+/// The Chinese table of `SINS_Emulator` and of the page has a row for each key and for each of its words.
+#[test]
+fn each_key_and_each_word_is_translated() {
+    let table = std::fs::read_to_string(project_file("c_examples/emulator/zh.txt")).unwrap();
+    let names: BTreeSet<&str> =
+        table.lines().filter_map(|line| line.split_once(" = ")).map(|(own, _)| own).collect();
+    let mut missing = Vec::new();
+    for key in keys() {
+        let path = format!("{}.{}", key.section, key.name);
+        // The presets of all sections have the same words.
+        let of_words = if key.name == "preset" { key.name } else { &*path };
+        if let KeyKind::Words(words) = key.kind {
+            missing.extend(words.iter().map(|word| format!("{of_words}.{word}")));
+        }
+        missing.push(path);
+    }
+    let count = missing.len();
+    missing.retain(|name| !names.contains(name.as_str()));
+    assert!(count > 300, "{count}");
+    assert_eq!(missing, [""; 0], "rows that c_examples/emulator/zh.txt lacks");
 }
 
 /// The C interface gives every key, and no text is truncated.
