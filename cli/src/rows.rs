@@ -8,6 +8,17 @@ pub const EAST_NORTH_UP: [&str; 3] = ["east", "north", "up"];
 
 use crate::failure::{Failure, Kind};
 
+/// Columns of the rows beside a smooth path: a row, and its position less that of the path.
+pub const ROW_COLUMNS: [&str; 7] = [
+    "time_s",
+    "latitude_rad",
+    "longitude_rad",
+    "height_m",
+    "residual_east_m",
+    "residual_north_m",
+    "residual_up_m",
+];
+
 /// Mark at the beginning of every table in Markdown, by which the program recognizes its own tables.
 pub const TABLE_MARK: &str = "<!-- written by sins -->";
 

@@ -24,6 +24,7 @@ use crate::given::{Given, Hours, SceneArguments};
 use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::places::{OutputArguments, below};
+use crate::rows::ROW_COLUMNS;
 use crate::terminal::print;
 use crate::written;
 use bus::Bus;
@@ -33,7 +34,6 @@ pub use bus::line as bus_line;
 pub use figures::Figures;
 pub use flight::{Files, InFlight, Stopped};
 pub use print::text;
-pub use rows::COLUMNS as ROW_COLUMNS;
 pub use shown::Shown;
 pub use summary::{LONGEST, MARK};
 pub use unit::{COLUMNS as UNIT_COLUMNS, UnitFiles};
@@ -91,7 +91,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         unit: unit(order, &given, &mut outputs, &folder, &file("_unit.csv"))?,
     };
     let rows = given.rows_of_path();
-    let rows_file = (!rows.is_empty()).then(|| outputs.file(&file("_rows.csv"), &rows::COLUMNS.join(",")));
+    let rows_file = (!rows.is_empty()).then(|| outputs.file(&file("_rows.csv"), &ROW_COLUMNS.join(",")));
     let rows_file = rows_file.transpose()?;
     let quiet = order.output.is_quiet(&given);
     interrupt::graceful();

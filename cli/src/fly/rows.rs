@@ -7,21 +7,11 @@ use sins::records;
 
 use crate::failure::Failure;
 use crate::output::OutputFile;
-
-/// Columns of the file: a row, and its position less that of the path.
-pub const COLUMNS: [&str; 7] = [
-    "time_s",
-    "latitude_rad",
-    "longitude_rad",
-    "height_m",
-    "residual_east_m",
-    "residual_north_m",
-    "residual_up_m",
-];
+use crate::rows::ROW_COLUMNS;
 
 /// Writes the rows up to `end_s`, and puts the file in place.
 pub fn write(mut file: OutputFile, rows: &[RowOfPath], end_s: f64) -> Result<(), Failure> {
-    let head = std::iter::once(COLUMNS.join(","));
+    let head = std::iter::once(ROW_COLUMNS.join(","));
     let lines = rows.iter().take_while(|row| row.time_s <= end_s).map(|row| {
         let [east, north, up] = row.residual_n.into();
         let place = &row.place;

@@ -8,13 +8,13 @@ use crate::drawing::plot::{Dot, Trace};
 use crate::drawing::scales::{line, over_time, panel, time_axis};
 use crate::drawing::series::magnitude;
 use crate::failure::Failure;
-use crate::fly::ROW_COLUMNS;
 use crate::given::open_table;
 use crate::places::beside;
 use crate::report::figures::LOWER;
 use crate::report::path::local;
 use crate::report::run::{Places, Run};
 use crate::rows::EAST_NORTH_UP;
+use crate::rows::ROW_COLUMNS;
 use crate::table::Table;
 use crate::units::{LENGTH, fitting, with_unit};
 
