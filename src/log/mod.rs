@@ -28,17 +28,19 @@ use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};
 use crate::base::text::{About, Fault, excerpt};
 use crate::judge::{At, Finding, Judge};
-use crate::scene::Scene;
 use crate::truth::FlightSample;
 use columns::{columns, only_place, unread};
 use rows::{Table, check_line, names_of, next_row, reader, single_blanks};
 
 pub use clock::Clock;
-pub(crate) use column::TAKES as COLUMN_TAKES;
 pub use column::{ColumnFrom, LogColumn};
 pub use foreign::{FDR, GPX, IGC, foreign};
+pub(crate) use hemisphere::sides;
 pub use mapping::{LogMapping, Separator, TimeFormat};
+#[cfg(test)]
+pub(crate) use quantity::ROLL;
 pub use quantity::{QUANTITIES, column_of, quantity_of};
+pub(crate) use quantity::{Quantity, unit_of, units_of};
 pub use smoothed::RowOfPath;
 pub use survey::{Survey, survey};
 pub use text::decoded;
@@ -295,16 +297,9 @@ impl FlightLog {
         &self.samples
     }
 
-    /// Whether `scene` may fly it: it was read by the `[log]` of the scene.
-    pub(crate) fn check_read_by(&self, scene: &Scene) -> Result<(), Error> {
-        let is_same = match &self.mapping {
-            Some(mapping) => *mapping == scene.log,
-            None => *scene.log == LogMapping::default(),
-        };
-        if is_same {
-            return Ok(());
-        }
-        Err(Error::bad_state("the log was not read by the [log] of the scene; read it with the scene"))
+    /// Whether it was read as `mapping` says.
+    pub(crate) fn was_read_as(&self, mapping: &LogMapping) -> bool {
+        self.mapping.as_deref().map_or(*mapping == LogMapping::default(), |own| own == mapping)
     }
 
     /// What is no fault, and yet hardly meant: columns that are not read, and look like a quantity.

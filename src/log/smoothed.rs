@@ -9,7 +9,6 @@ use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic};
 use crate::judge::{Finding, Judge, Level};
 use crate::log::smooth::{SmoothOptions, Smoothed, SmoothedPart};
-use crate::scene::Scene;
 use crate::truth::FlightSample;
 
 /// Most samples of a smoothed log.
@@ -24,14 +23,6 @@ pub struct RowOfPath {
     pub place: Geodetic,
     /// Its position less that of the path at its time stamp, east, north, up [m].
     pub residual_n: Vector3<f64>,
-}
-
-impl Scene {
-    /// The log in a text, read and repaired as [`Scene::log`] says.
-    pub fn read_log(&self, text: &[u8]) -> Result<FlightLog, LogError> {
-        let log = FlightLog::parse_with(text, &self.log)?;
-        if self.log.smooths() { log.smoothed(&self.options.earth(), &self.log) } else { Ok(log) }
-    }
 }
 
 impl FlightLog {

@@ -4,9 +4,9 @@ use toml::de::DeTable;
 
 use super::fault::Faults;
 use super::key::Section;
-use super::nesting::too_deep;
 use super::{FlightPath, FlightSource, Scene};
 use crate::base::text::Fault;
+use crate::base::text::too_deep;
 use crate::sensors::{InitialErrorParameters, TriadParameters};
 use crate::truth::flight::FlightStart;
 

@@ -1,12 +1,12 @@
 //! The list of keys, for those who write a scene.
 
 use super::Scene;
+use super::column::TAKES as COLUMN_TAKES;
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
 use super::table::{KEYS, of_section};
 use super::written::shown;
-use crate::log::COLUMN_TAKES;
 
 /// A key as a reader sees it.
 #[derive(Debug, Clone, PartialEq)]

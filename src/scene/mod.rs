@@ -8,13 +8,13 @@
 mod builtin;
 mod change;
 mod check;
+mod column;
 mod draft;
 mod examine;
 mod fault;
 mod key;
 mod limits;
 mod list;
-mod nesting;
 mod panel;
 mod play;
 mod read;
@@ -25,7 +25,7 @@ mod setting;
 mod site;
 mod table;
 mod update;
-pub(crate) mod value;
+mod value;
 mod write;
 mod written;
 

@@ -2,7 +2,7 @@
 
 use super::{FlightSource, Scene};
 use crate::base::error::{Error, Rule};
-use crate::log::FlightLog;
+use crate::log::{FlightLog, LogError};
 
 /// Largest rounding error of a time [intervals]: it must not remove a sample.
 const ROUNDING: f64 = 1e-9;
@@ -24,6 +24,12 @@ pub struct Samples {
 }
 
 impl Scene {
+    /// The log in a text, read and repaired as [`Scene::log`] says.
+    pub fn read_log(&self, text: &[u8]) -> Result<FlightLog, LogError> {
+        let log = FlightLog::parse_with(text, &self.log)?;
+        if self.log.smooths() { log.smoothed(&self.options.earth(), &self.log) } else { Ok(log) }
+    }
+
     /// The samples of the flight at its rate, or those of its log up to the duration that the scene sets.
     pub fn samples(&self, log: Option<&FlightLog>) -> Result<Samples, Error> {
         match (log, &self.flight) {
@@ -41,7 +47,10 @@ impl Scene {
     }
 
     fn samples_of_log(&self, log: &FlightLog) -> Result<Samples, Error> {
-        log.check_read_by(self)?;
+        if !log.was_read_as(&self.log) {
+            let what = "the log was not read by the [log] of the scene; read it with the scene";
+            return Err(Error::bad_state(what));
+        }
         if let Some(temperature) = &self.temperature
             && log.samples()[0].temperature_c.is_some()
         {

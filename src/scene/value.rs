@@ -3,12 +3,13 @@
 use toml::de::{DeInteger, DeTable, DeValue};
 
 use super::Scene;
+use super::column::column_of;
 use super::draft::Draft;
 use super::key::{Key, Target};
 use super::limits::{Limits, limits};
-use super::nesting::too_deep;
 use crate::base::error::{Error, Rule};
 use crate::base::parameter::Shape;
+use crate::base::text::too_deep;
 use crate::base::text::{MAX_TEXT_VALUE, excerpt, nearest, number_text};
 use crate::log::LogColumn;
 
@@ -193,7 +194,7 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
             set(draft, *flag);
         }
         Target::Column(quantity) => {
-            draft.scene.log.columns[quantity] = LogColumn::of(value, quantity)?;
+            draft.scene.log.columns[quantity] = column_of(value, quantity)?;
         }
     }
     Ok(())

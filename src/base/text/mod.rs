@@ -2,10 +2,12 @@
 
 mod fault;
 mod names;
+mod nesting;
 mod toml;
 
 pub use fault::{About, Fault};
 pub use names::{excerpt, listed, nearest, unknown};
+pub use nesting::{MAX_NESTING, too_deep};
 pub use toml::{number_text, text_in_quotes};
 
 /// Largest size of a text in a scene [bytes].

@@ -4,10 +4,10 @@ use toml_parser::Source;
 use toml_parser::lexer::TokenKind;
 
 /// Brackets that may be open at once: the parser takes a kilobyte of stack for each. A scene needs two.
-pub(super) const MAX_NESTING: usize = 8;
+pub const MAX_NESTING: usize = 8;
 
 /// Where a text nests deeper than [`MAX_NESTING`] [bytes].
-pub(super) fn too_deep(text: &str) -> Option<usize> {
+pub fn too_deep(text: &str) -> Option<usize> {
     let mut depth = 0_usize;
     for token in Source::new(text).lex() {
         match token.kind() {
