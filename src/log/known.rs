@@ -2,6 +2,82 @@
 
 use csv::StringRecord;
 
+use super::column::{ColumnFrom, LogColumn};
+use crate::base::text::{number_text, text_in_quotes};
+
+/// A key of `[log]` and its value.
+pub struct Key {
+    pub name: &'static str,
+    pub value: Value,
+}
+
+/// The value of a key.
+pub enum Value {
+    /// The quantity stands in the column of this name.
+    Column { name: &'static str, unit: &'static str, scale: f64, part: usize },
+    /// A word.
+    Word(&'static str),
+    /// A number.
+    Number(f64),
+}
+
+const fn column(key: &'static str, name: &'static str) -> Key {
+    Key { name: key, value: Value::Column { name, unit: "", scale: 1.0, part: 0 } }
+}
+
+const fn word(name: &'static str, word: &'static str) -> Key {
+    Key { name, value: Value::Word(word) }
+}
+
+const fn number(name: &'static str, number: f64) -> Key {
+    Key { name, value: Value::Number(number) }
+}
+
+impl Key {
+    const fn unit(self, of: &'static str) -> Self {
+        match self.value {
+            Value::Column { name, scale, part, .. } => {
+                Self { name: self.name, value: Value::Column { name, unit: of, scale, part } }
+            }
+            _ => self,
+        }
+    }
+
+    /// With the opposite sign.
+    const fn reversed(self) -> Self {
+        match self.value {
+            Value::Column { name, unit, part, .. } => {
+                Self { name: self.name, value: Value::Column { name, unit, scale: -1.0, part } }
+            }
+            _ => self,
+        }
+    }
+
+    /// The part of a cell of several values, from 1.
+    const fn part(self, of: usize) -> Self {
+        match self.value {
+            Value::Column { name, unit, scale, .. } => {
+                Self { name: self.name, value: Value::Column { name, unit, scale, part: of } }
+            }
+            _ => self,
+        }
+    }
+}
+
+impl Value {
+    /// In TOML.
+    pub fn text(&self) -> String {
+        match *self {
+            Self::Column { name, unit, scale, part } => {
+                let from = ColumnFrom::Name(name.to_owned());
+                LogColumn { from, unit, scale, part, ..LogColumn::default() }.text()
+            }
+            Self::Word(word) => text_in_quotes(word),
+            Self::Number(number) => number_text(number),
+        }
+    }
+}
+
 /// A format.
 pub struct Known {
     /// Its name.
@@ -9,7 +85,7 @@ pub struct Known {
     /// Columns by which it is recognized: all of them are there.
     pub columns: &'static [&'static str],
     /// Its keys of `[log]`. A key whose column the table does not have is left out.
-    pub keys: &'static str,
+    pub keys: &'static [Key],
     /// What it lacks, or what only its user knows; empty: nothing.
     pub doubt: &'static str,
 }
@@ -24,365 +100,271 @@ const KNOWN: [Known; 16] = [
     Known {
         name: "Garmin G1000",
         columns: &["Lcl Time", "AltMSL", "GndSpd", "TRK", "VSpd"],
-        keys: r#"time = "Lcl Time"
-time_format = "hms"
-latitude = "Latitude"
-longitude = "Longitude"
-height = { col = "AltGPS", unit = "ft" }
-height = { col = "AltMSL", unit = "ft" }
-speed = { col = "GndSpd", unit = "kt" }
-track = "TRK"
-track_is = "magnetic"
-climb = { col = "VSpd", unit = "ft/min" }
-roll = "Roll"
-pitch = "Pitch"
-heading = "HDG"
-variation = "MagVar"
-smooth = "auto""#,
+        keys: &[
+            column("time", "Lcl Time"),
+            word("time_format", "hms"),
+            column("latitude", "Latitude"),
+            column("longitude", "Longitude"),
+            column("height", "AltGPS").unit("ft"),
+            column("height", "AltMSL").unit("ft"),
+            column("speed", "GndSpd").unit("kt"),
+            column("track", "TRK"),
+            word("track_is", "magnetic"),
+            column("climb", "VSpd").unit("ft/min"),
+            column("roll", "Roll"),
+            column("pitch", "Pitch"),
+            column("heading", "HDG"),
+            column("variation", "MagVar"),
+            word("smooth", "auto"),
+        ],
         doubt: "heading and track are taken as magnetic; without a column MagVar set variation; AltMSL is above the sea: set geoid",
     },
     Known {
         name: "Garmin G5",
         columns: &["GPS Altitude (WGS84 ft)", "GPS Velocity E (m/s)"],
-        keys: r#"time = "UTC Time (hh:mm:ss)"
-time_format = "hms"
-latitude = "Latitude (WGS84 deg)"
-longitude = "Longitude (WGS84 deg)"
-height = { col = "GPS Altitude (WGS84 ft)", unit = "ft" }
-east = "GPS Velocity E (m/s)"
-north = "GPS Velocity N (m/s)"
-up = "GPS Velocity U (m/s)"
-roll = "Roll (deg)"
-pitch = "Pitch (deg)"
-heading = "Magnetic Heading (deg)"
-variation = "Magnetic Variation (deg)"
-smooth = "auto""#,
+        keys: &[
+            column("time", "UTC Time (hh:mm:ss)"),
+            word("time_format", "hms"),
+            column("latitude", "Latitude (WGS84 deg)"),
+            column("longitude", "Longitude (WGS84 deg)"),
+            column("height", "GPS Altitude (WGS84 ft)").unit("ft"),
+            column("east", "GPS Velocity E (m/s)"),
+            column("north", "GPS Velocity N (m/s)"),
+            column("up", "GPS Velocity U (m/s)"),
+            column("roll", "Roll (deg)"),
+            column("pitch", "Pitch (deg)"),
+            column("heading", "Magnetic Heading (deg)"),
+            column("variation", "Magnetic Variation (deg)"),
+            word("smooth", "auto"),
+        ],
         doubt: "",
     },
     Known {
         name: "Garmin G3X",
         columns: &["GPS Altitude (ft)", "GPS Velocity E (m/sec)"],
-        keys: r#"time = "UTC Time (hh:mm:ss)"
-time_format = "hms"
-latitude = "Latitude (deg)"
-longitude = "Longitude (deg)"
-height = { col = "GPS Altitude (ft)", unit = "ft" }
-east = "GPS Velocity E (m/sec)"
-north = "GPS Velocity N (m/sec)"
-up = "GPS Velocity U (m/sec)"
-roll = "Roll (deg)"
-pitch = "Pitch (deg)"
-heading = "Magnetic Heading (deg)"
-smooth = "auto""#,
+        keys: &[
+            column("time", "UTC Time (hh:mm:ss)"),
+            word("time_format", "hms"),
+            column("latitude", "Latitude (deg)"),
+            column("longitude", "Longitude (deg)"),
+            column("height", "GPS Altitude (ft)").unit("ft"),
+            column("east", "GPS Velocity E (m/sec)"),
+            column("north", "GPS Velocity N (m/sec)"),
+            column("up", "GPS Velocity U (m/sec)"),
+            column("roll", "Roll (deg)"),
+            column("pitch", "Pitch (deg)"),
+            column("heading", "Magnetic Heading (deg)"),
+            word("smooth", "auto"),
+        ],
         doubt: "the heading is magnetic: set variation",
     },
     Known {
         name: "X-Plane Data.txt",
         columns: &["_real,_time", "__lat,__deg", "hding,_true"],
-        keys: r#"time = "_real,_time"
-latitude = "__lat,__deg"
-longitude = "__lon,__deg"
-height = { col = "__alt,ftmsl", unit = "ft" }
-roll = "_roll,__deg"
-pitch = "pitch,__deg"
-heading = "hding,_true"
-smooth = "auto""#,
+        keys: &[
+            column("time", "_real,_time"),
+            column("latitude", "__lat,__deg"),
+            column("longitude", "__lon,__deg"),
+            column("height", "__alt,ftmsl").unit("ft"),
+            column("roll", "_roll,__deg"),
+            column("pitch", "pitch,__deg"),
+            column("heading", "hding,_true"),
+            word("smooth", "auto"),
+        ],
         doubt: "positions are 32-bit floats; vX, vY, vZ are those of local axes, which are east, up, south at their origin only, and are not read",
     },
     Known {
         name: "FlightGear",
         columns: &["/position/latitude-deg", "/position/altitude-ft"],
-        keys: r#"time = { col = "Time", unit = "ms" }
-latitude = "/position/latitude-deg"
-longitude = "/position/longitude-deg"
-height = { col = "/position/altitude-ft", unit = "ft" }
-east = { col = "/velocities/speed-east-fps", unit = "ft/s" }
-north = { col = "/velocities/speed-north-fps", unit = "ft/s" }
-up = { col = "/velocities/speed-down-fps", unit = "ft/s", sign = -1 }
-roll = "/orientation/roll-deg"
-pitch = "/orientation/pitch-deg"
-heading = "/orientation/heading-deg""#,
+        keys: &[
+            column("time", "Time").unit("ms"),
+            column("latitude", "/position/latitude-deg"),
+            column("longitude", "/position/longitude-deg"),
+            column("height", "/position/altitude-ft").unit("ft"),
+            column("east", "/velocities/speed-east-fps").unit("ft/s"),
+            column("north", "/velocities/speed-north-fps").unit("ft/s"),
+            column("up", "/velocities/speed-down-fps").unit("ft/s").reversed(),
+            column("roll", "/orientation/roll-deg"),
+            column("pitch", "/orientation/pitch-deg"),
+            column("heading", "/orientation/heading-deg"),
+        ],
         doubt: "the height is above the sea: set geoid",
     },
     Known {
         name: "SimConnect",
         columns: &["PLANE LATITUDE", "PLANE ALTITUDE", "PLANE BANK DEGREES"],
-        keys: r#"time = "Time"
-latitude = "PLANE LATITUDE"
-longitude = "PLANE LONGITUDE"
-height = { col = "PLANE ALTITUDE", unit = "ft" }
-east = { col = "VELOCITY WORLD X", unit = "ft/s" }
-north = { col = "VELOCITY WORLD Z", unit = "ft/s" }
-up = { col = "VELOCITY WORLD Y", unit = "ft/s" }
-roll = { col = "PLANE BANK DEGREES", unit = "rad", sign = -1 }
-pitch = { col = "PLANE PITCH DEGREES", unit = "rad", sign = -1 }
-heading = { col = "PLANE HEADING DEGREES TRUE", unit = "rad" }"#,
+        keys: &[
+            column("time", "Time"),
+            column("latitude", "PLANE LATITUDE"),
+            column("longitude", "PLANE LONGITUDE"),
+            column("height", "PLANE ALTITUDE").unit("ft"),
+            column("east", "VELOCITY WORLD X").unit("ft/s"),
+            column("north", "VELOCITY WORLD Z").unit("ft/s"),
+            column("up", "VELOCITY WORLD Y").unit("ft/s"),
+            column("roll", "PLANE BANK DEGREES").unit("rad").reversed(),
+            column("pitch", "PLANE PITCH DEGREES").unit("rad").reversed(),
+            column("heading", "PLANE HEADING DEGREES TRUE").unit("rad"),
+        ],
         doubt: "angles of the attitude are taken as radians, the position as degrees, as their default units are",
     },
     Known {
         name: "Sky Dolly",
         columns: &["Timestamp", "UTC", "Speed", "Bank", "Pitch", "Heading", "Altitude"],
-        keys: r#"time = { col = "Timestamp", unit = "ms" }
-latitude = "Latitude"
-longitude = "Longitude"
-height = { col = "Altitude", unit = "ft" }
-roll = { col = "Bank", sign = -1 }
-pitch = { col = "Pitch", sign = -1 }
-heading = "Heading"
-smooth = "auto""#,
+        keys: &[
+            column("time", "Timestamp").unit("ms"),
+            column("latitude", "Latitude"),
+            column("longitude", "Longitude"),
+            column("height", "Altitude").unit("ft"),
+            column("roll", "Bank").reversed(),
+            column("pitch", "Pitch").reversed(),
+            column("heading", "Heading"),
+            word("smooth", "auto"),
+        ],
         doubt: "Timestamp is taken as ms, Altitude as ft, Bank and Pitch with the signs of SimConnect: left and nose down are positive",
     },
     Known {
         name: "ArduPilot (POS)",
         columns: &["TimeUS", "Lat", "Lng", "Alt", "RelHomeAlt"],
-        keys: r#"time = { col = "TimeUS", unit = "us" }
-latitude = "Lat"
-longitude = "Lng"
-height = "Alt"
-smooth = "auto"
-attitude = "coordinated""#,
+        keys: &[
+            column("time", "TimeUS").unit("us"),
+            column("latitude", "Lat"),
+            column("longitude", "Lng"),
+            column("height", "Alt"),
+            word("smooth", "auto"),
+            word("attitude", "coordinated"),
+        ],
         doubt: "the file of this message has no attitude, so that of a coordinated flight is taken; a multicopter has another",
     },
     Known {
         name: "PX4 (vehicle_global_position)",
         columns: &["timestamp", "lat", "lon", "alt", "eph", "epv"],
-        keys: r#"time = { col = "timestamp", unit = "us" }
-latitude = "lat"
-longitude = "lon"
-height = "alt_ellipsoid"
-height = "alt"
-smooth = "auto"
-attitude = "coordinated""#,
+        keys: &[
+            column("time", "timestamp").unit("us"),
+            column("latitude", "lat"),
+            column("longitude", "lon"),
+            column("height", "alt_ellipsoid"),
+            column("height", "alt"),
+            word("smooth", "auto"),
+            word("attitude", "coordinated"),
+        ],
         doubt: "the file of this topic has no attitude, so that of a coordinated flight is taken; a multicopter has another",
     },
     Known {
         name: "AirData",
         columns: &["time(millisecond)", "xSpeed(mph)", "compass_heading(degrees)"],
-        keys: r#"time = { col = "time(millisecond)", unit = "ms" }
-latitude = "latitude"
-longitude = "longitude"
-height = { col = "altitude_above_seaLevel(feet)", unit = "ft" }
-north = { col = "xSpeed(mph)", unit = "mph" }
-east = { col = "ySpeed(mph)", unit = "mph" }
-up = { col = "zSpeed(mph)", unit = "mph", sign = -1 }
-roll = "roll(degrees)"
-pitch = "pitch(degrees)"
-heading = "compass_heading(degrees)"
-smooth = "auto""#,
+        keys: &[
+            column("time", "time(millisecond)").unit("ms"),
+            column("latitude", "latitude"),
+            column("longitude", "longitude"),
+            column("height", "altitude_above_seaLevel(feet)").unit("ft"),
+            column("north", "xSpeed(mph)").unit("mph"),
+            column("east", "ySpeed(mph)").unit("mph"),
+            column("up", "zSpeed(mph)").unit("mph").reversed(),
+            column("roll", "roll(degrees)"),
+            column("pitch", "pitch(degrees)"),
+            column("heading", "compass_heading(degrees)"),
+            word("smooth", "auto"),
+        ],
         doubt: "zSpeed is taken as positive down",
     },
     Known {
         name: "OpenSky states",
         columns: &["icao24", "lat", "lon", "geoaltitude", "vertrate"],
-        keys: r#"time = "lastposupdate"
-latitude = "lat"
-longitude = "lon"
-height = "geoaltitude"
-speed = "velocity"
-track = "heading"
-climb = "vertrate"
-smooth = "auto"
-attitude = "coordinated""#,
+        keys: &[
+            column("time", "lastposupdate"),
+            column("latitude", "lat"),
+            column("longitude", "lon"),
+            column("height", "geoaltitude"),
+            column("speed", "velocity"),
+            column("track", "heading"),
+            column("climb", "vertrate"),
+            word("smooth", "auto"),
+            word("attitude", "coordinated"),
+        ],
         doubt: "one aircraft a file: select the rows of one icao24",
     },
     Known {
         name: "traffic",
         columns: &["timestamp", "icao24", "groundspeed", "vertical_rate"],
-        keys: r#"time = "timestamp"
-time_format = "iso"
-latitude = "latitude"
-longitude = "longitude"
-height = { col = "geoaltitude", unit = "ft" }
-height = { col = "altitude", unit = "ft" }
-speed = { col = "groundspeed", unit = "kt" }
-track = "track"
-climb = { col = "vertical_rate", unit = "ft/min" }
-smooth = "auto"
-attitude = "coordinated""#,
+        keys: &[
+            column("time", "timestamp"),
+            word("time_format", "iso"),
+            column("latitude", "latitude"),
+            column("longitude", "longitude"),
+            column("height", "geoaltitude").unit("ft"),
+            column("height", "altitude").unit("ft"),
+            column("speed", "groundspeed").unit("kt"),
+            column("track", "track"),
+            column("climb", "vertical_rate").unit("ft/min"),
+            word("smooth", "auto"),
+            word("attitude", "coordinated"),
+        ],
         doubt: "one aircraft a file: select the rows of one icao24",
     },
     Known {
         name: "Flightradar24",
         columns: &["Timestamp", "UTC", "Callsign", "Position", "Altitude", "Speed", "Direction"],
-        keys: r#"time = "Timestamp"
-latitude = { col = "Position", part = 1 }
-longitude = { col = "Position", part = 2 }
-height = { col = "Altitude", unit = "ft" }
-smooth = "auto"
-attitude = "coordinated""#,
+        keys: &[
+            column("time", "Timestamp"),
+            column("latitude", "Position").part(1),
+            column("longitude", "Position").part(2),
+            column("height", "Altitude").unit("ft"),
+            word("smooth", "auto"),
+            word("attitude", "coordinated"),
+        ],
         doubt: "Altitude is a pressure altitude; Speed and Direction are not read, since without a climb rate they are no whole velocity",
     },
     Known {
         name: "Columbus GNSS logger",
         columns: &["INDEX", "TAG", "TIME", "LATITUDE N/S", "LONGITUDE E/W", "HEIGHT"],
-        keys: r#"time = "TIME"
-time_format = "hms"
-latitude = "LATITUDE N/S"
-longitude = "LONGITUDE E/W"
-height = "HEIGHT"
-smooth = "auto"
-attitude = "coordinated""#,
+        keys: &[
+            column("time", "TIME"),
+            word("time_format", "hms"),
+            column("latitude", "LATITUDE N/S"),
+            column("longitude", "LONGITUDE E/W"),
+            column("height", "HEIGHT"),
+            word("smooth", "auto"),
+            word("attitude", "coordinated"),
+        ],
         doubt: "the height is above the sea: set geoid; it has no attitude, so that of a coordinated flight is taken",
     },
     Known {
         name: "NCAR research aircraft",
         columns: &["Time", "LATC", "LONC", "GGALT", "THDG"],
-        keys: r#"time = "Time"
-latitude = "LATC"
-longitude = "LONC"
-height = "GGALT"
-east = "GGVEW"
-north = "GGVNS"
-up = "GGVSPD"
-roll = "ROLL"
-pitch = "PITCH"
-heading = "THDG"
-missing = -32767
-smooth = "auto""#,
+        keys: &[
+            column("time", "Time"),
+            column("latitude", "LATC"),
+            column("longitude", "LONC"),
+            column("height", "GGALT"),
+            column("east", "GGVEW"),
+            column("north", "GGVNS"),
+            column("up", "GGVSPD"),
+            column("roll", "ROLL"),
+            column("pitch", "PITCH"),
+            column("heading", "THDG"),
+            number("missing", -32767.0),
+            word("smooth", "auto"),
+        ],
         doubt: "the height is above the sea: set geoid",
     },
     Known {
         name: "JSBSim",
         columns: &["Latitude Geodetic (deg)", "Altitude ASL (ft)", "V_{North} (ft/s)"],
-        keys: r#"time = "Time"
-latitude = "Latitude Geodetic (deg)"
-longitude = "Longitude (deg)"
-height = { col = "Altitude ASL (ft)", unit = "ft" }
-east = { col = "V_{East} (ft/s)", unit = "ft/s" }
-north = { col = "V_{North} (ft/s)", unit = "ft/s" }
-up = { col = "V_{Down} (ft/s)", unit = "ft/s", sign = -1 }
-roll = "Phi (deg)"
-pitch = "Theta (deg)"
-heading = "Psi (deg)""#,
+        keys: &[
+            column("time", "Time"),
+            column("latitude", "Latitude Geodetic (deg)"),
+            column("longitude", "Longitude (deg)"),
+            column("height", "Altitude ASL (ft)").unit("ft"),
+            column("east", "V_{East} (ft/s)").unit("ft/s"),
+            column("north", "V_{North} (ft/s)").unit("ft/s"),
+            column("up", "V_{Down} (ft/s)").unit("ft/s").reversed(),
+            column("roll", "Phi (deg)"),
+            column("pitch", "Theta (deg)"),
+            column("heading", "Psi (deg)"),
+        ],
         doubt: "the height is above the sea: set geoid if it matters",
     },
 ];
 
 #[cfg(test)]
-mod tests {
-    use super::super::survey::tests::read;
-    use super::*;
-
-    /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
-    const SAMPLES: [(&str, &str); 16] = [
-        (
-            "Garmin G1000",
-            "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss, hh:mm, degrees, degrees, ft msl, ft wgs, deg, deg, kt, fpm, deg, deg, deg\n\
-             Lcl Date, Lcl Time, UTCOfst, Latitude, Longitude, AltMSL, AltGPS, Pitch, Roll, GndSpd, VSpd, HDG, TRK, MagVar\n\
-             2024-05-01, 12:00:00, +02:00, 48.0, 11.0, 800, 984.252, 2, 5, 100, 300, 356, 356, 4\n\
-             2024-05-01, 12:00:01, +02:00, 48.00046, 11.0, 805, 989.252, 2, 5, 100, 300, 356, 356, 4\n",
-        ),
-        (
-            "Garmin G5",
-            "UTC Date (yyyy-mm-dd),UTC Time (hh:mm:ss),Latitude (WGS84 deg),Longitude (WGS84 deg),GPS Altitude (WGS84 ft),GPS Velocity E (m/s),GPS Velocity N (m/s),GPS Velocity U (m/s),Pitch (deg),Roll (deg),Magnetic Heading (deg),Magnetic Variation (deg)\n\
-             UTC Date,UTC Time,Latitude,Longitude,Altitude,VelE,VelN,VelU,Pitch,Roll,Heading,MagVar\n\
-             2024-05-01,12:00:00,48.0,11.0,984.252,0,50,1,2,5,356,4\n2024-05-01,12:00:01,48.00045,11.0,987.5,0,50,1,2,5,356,4\n",
-        ),
-        (
-            "Garmin G3X",
-            "Date (yyyy-mm-dd),UTC Time (hh:mm:ss),Latitude (deg),Longitude (deg),GPS Altitude (ft),GPS Velocity E (m/sec),GPS Velocity N (m/sec),GPS Velocity U (m/sec),Pitch (deg),Roll (deg),Magnetic Heading (deg)\n\
-             2024-05-01,12:00:00,48.0,11.0,984.252,0,50,1,2,5,356\n2024-05-01,12:00:01,48.00045,11.0,987.5,0,50,1,2,5,356\n",
-        ),
-        (
-            "X-Plane Data.txt",
-            "   _real,_time |    __lat,__deg |    __lon,__deg |    __alt,ftmsl |    pitch,__deg |    _roll,__deg |    hding,_true |\n\
-             0.0 | 48.0 | 11.0 | 984.252 | 2 | 5 | 0 |\n0.1 | 48.000045 | 11.0 | 984.6 | 2 | 5 | 0 |\n",
-        ),
-        (
-            "FlightGear",
-            "Time,/position/latitude-deg,/position/longitude-deg,/position/altitude-ft,/velocities/speed-north-fps,/velocities/speed-east-fps,/velocities/speed-down-fps,/orientation/roll-deg,/orientation/pitch-deg,/orientation/heading-deg\n\
-             0,48.0,11.0,984.252,164.042,0,-3.28,5,2,0\n50,48.0000225,11.0,984.4,164.042,0,-3.28,5,2,0\n",
-        ),
-        (
-            "SimConnect",
-            "Time,PLANE LATITUDE,PLANE LONGITUDE,PLANE ALTITUDE,VELOCITY WORLD X,VELOCITY WORLD Y,VELOCITY WORLD Z,PLANE PITCH DEGREES,PLANE BANK DEGREES,PLANE HEADING DEGREES TRUE\n\
-             0,48.0,11.0,984.252,0,3.28,164.042,-0.0349,-0.08727,0\n0.05,48.0000225,11.0,984.4,0,3.28,164.042,-0.0349,-0.08727,0\n",
-        ),
-        (
-            "Sky Dolly",
-            "Timestamp,UTC,Latitude,Longitude,Altitude,Pitch,Bank,Heading,Speed\n\
-             0,12:00,48.0,11.0,984,-2,-5,0,164\n1000,12:00,48.00045,11.0,987,-2,-5,0,164\n",
-        ),
-        (
-            "ArduPilot (POS)",
-            "TimeUS,Lat,Lng,Alt,RelHomeAlt\n0,48.0,11.0,300,0\n100000,48.000045,11.0,300.1,0\n",
-        ),
-        (
-            "PX4 (vehicle_global_position)",
-            "timestamp,timestamp_sample,lat,lon,alt,alt_ellipsoid,delta_alt,eph,epv\n\
-             0,0,48.0,11.0,260,300,0,1,1\n200000,200000,48.00009,11.0,260,300.2,0,1,1\n",
-        ),
-        (
-            "AirData",
-            "time(millisecond),datetime(utc),latitude,longitude,altitude_above_seaLevel(feet), xSpeed(mph), ySpeed(mph), zSpeed(mph), compass_heading(degrees), pitch(degrees), roll(degrees)\n\
-             0,2024-05-01 12:00:00,48.0,11.0,984.252,111.8,0,-2,0,2,5\n100,2024-05-01 12:00:00,48.000045,11.0,984.6,111.8,0,-2,0,2,5\n",
-        ),
-        (
-            "OpenSky states",
-            "time,icao24,lat,lon,velocity,heading,vertrate,callsign,baroaltitude,geoaltitude,lastposupdate\n\
-             1700000000,3c6444,48.0,11.0,50,0,1,X,290,300,1700000000\n1700000001,3c6444,48.00045,11.0,50,0,1,X,291,301,1700000001\n",
-        ),
-        (
-            "traffic",
-            "timestamp,icao24,latitude,longitude,altitude,groundspeed,track,vertical_rate,callsign\n\
-             2024-05-01 12:00:00+00:00,3c6444,48.0,11.0,984.252,97.2,0,200,X\n2024-05-01 12:00:01+00:00,3c6444,48.00045,11.0,987.5,97.2,0,200,X\n",
-        ),
-        (
-            "Flightradar24",
-            "Timestamp,UTC,Callsign,Position,Altitude,Speed,Direction\n\
-             1714564800,2024-05-01T12:00:00Z,X1,\"48.0,11.0\",984.252,97,0\n\
-             1714564830,2024-05-01T12:00:30Z,X1,\"48.0135,11.0\",1000,97,0\n",
-        ),
-        (
-            "Columbus GNSS logger",
-            "INDEX,TAG,DATE,TIME,LATITUDE N/S,LONGITUDE E/W,HEIGHT,SPEED,HEADING,FIX MODE,VALID,PDOP,HDOP,VDOP,VOX\n\
-             1,T,240501,120000,48.000000N,011.000000E,300,180,0,3D,SPS,1.5,0.9,1.2,\n\
-             2,T,240501,120001,48.000450N,011.000000E,301,180,0,3D,SPS,1.5,0.9,1.2,\n",
-        ),
-        (
-            "NCAR research aircraft",
-            "Time,LATC,LONC,GGALT,GGVEW,GGVNS,GGVSPD,PITCH,ROLL,THDG\n\
-             43200,48.0,11.0,300,0,50,1,2,5,0\n43201,48.00045,11.0,301,0,50,1,2,5,0\n",
-        ),
-        (
-            "JSBSim",
-            "Time,Latitude (deg),Latitude Geodetic (deg),Longitude (deg),Altitude ASL (ft),V_{North} (ft/s),V_{East} (ft/s),V_{Down} (ft/s),Phi (deg),Theta (deg),Psi (deg)\n\
-             0,47.8,48.0,11.0,984.252,164.042,0,-3.28,5,2,0\n0.01,47.8,48.0000045,11.0,984.3,164.042,0,-3.28,5,2,0\n",
-        ),
-    ];
-
-    #[test]
-    fn every_known_format_is_recognized_and_read() {
-        assert_eq!(KNOWN.map(|known| known.name), SAMPLES.map(|(name, _)| name));
-        for (name, table) in SAMPLES {
-            let (survey, log) = read(table);
-            assert_eq!(survey.format, Some(name), "{survey:?}");
-            let sample = log.samples()[0];
-            assert_eq!(log.samples().len(), 2, "{name}");
-            assert!((sample.place.latitude_rad.to_degrees() - 48.0).abs() < 1e-9, "{name}: {sample:?}");
-            assert!((sample.place.longitude_rad.to_degrees() - 11.0).abs() < 1e-9, "{name}: {sample:?}");
-            assert!((sample.place.height_m - 300.0).abs() < 0.1, "{name}: {sample:?}");
-            if !survey.text.contains("coordinated") {
-                let angles =
-                    [sample.euler.roll, sample.euler.pitch, sample.euler.heading].map(f64::to_degrees);
-                assert!(
-                    (angles[0] - 5.0).abs() < 1e-2 && (angles[1] - 2.0).abs() < 1e-2,
-                    "{name}: {angles:?}"
-                );
-                let heading = if name == "Garmin G3X" { 356.0 } else { 0.0 };
-                assert!(
-                    (angles[2] - heading).rem_euclid(360.0).min((heading - angles[2]).rem_euclid(360.0))
-                        < 1e-6,
-                    "{name}: {angles:?}"
-                );
-            }
-            if let Some(v_n) = sample.v_n {
-                let [east, north, up]: [f64; 3] = v_n.into();
-                assert!(
-                    east.abs() < 1e-9 && (north - 50.0).abs() < 2.0 && up > 0.8 && up < 2.0,
-                    "{name}: {v_n:?}"
-                );
-            }
-        }
-    }
-}
+mod tests;
