@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use nalgebra::{Matrix3, Vector3};
-use sins::sensors::{AltimeterParameters, Axis, Failure, SensorOutput, TriadParameters};
+use sins::sensors::{AltimeterParameters, Axis, EFFECTS, Failure, SensorOutput, TriadParameters};
 use sins::truth::{FlightSample, IntakeLimits};
 use sins::{Options, Simulator};
 
@@ -23,7 +23,8 @@ const TIMED_STEPS: usize = 500;
 /// Sets one effect of a triad, in a size as in a laboratory.
 type Setting = fn(&mut TriadParameters);
 
-const TRIAD_EFFECTS: [(&str, Setting); 16] = [
+/// A row for each effect of the library's table, in its order.
+const TRIAD_EFFECTS: [(&str, Setting); EFFECTS.len()] = [
     ("size effect", |p| p.lever_arm_m = Matrix3::repeat(0.02)),
     ("bandwidth", |p| p.bandwidth_hz = each(50.0)),
     ("scale factor, misalignment", |p| p.scale_factor = each(1e-4)),

@@ -55,7 +55,7 @@ pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use altimeter_table::ALTIMETER;
 pub use draw::StandardNormal;
-pub use effects::{EffectPlace, FLICKER_PROCESSES};
+pub use effects::{EFFECTS, EffectPlace, FLICKER_PROCESSES};
 pub(crate) use effects::{Kind, OF_SIGNAL, SharedInput, StateRows, element_sigmas};
 pub(crate) use failing::FailingTriad;
 pub(crate) use failure::FailureFields;

@@ -5,6 +5,9 @@ macro_rules! effects {
     ($($stage:ident { $($field:ident: $Type:ident $([$($number:literal),*])?,)* })*) => {
         $($(use $field::$Type;)*)*
 
+        /// The effects of a triad by the names of their files, in the order in which they act.
+        pub const EFFECTS: &[&str] = &[$($(stringify!($field),)*)*];
+
         /// Names of the effects, in the order of the table.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         enum Name {
