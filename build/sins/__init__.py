@@ -11,7 +11,7 @@
     drawn = sins.ensemble(truth, runs=1000, gyro="navigation", accel="navigation")
     drawn.figures().cep50_m                     # with its interval
 
-What flies is a built-in scene by its name, a file (scene.toml, log.csv), the text of a scene, or a `Trajectory`. Settings are sections of
+What flies is a built-in scene by its name, a file (scene.toml, log.csv, flight.igc), the text of a scene, or a `Trajectory`. Settings are sections of
 a scene with its keys, in the units of data sheets; `sins keys` of the program lists them. Errors are `sins.Error`, with the sentence of
 the library. Arrays are of numpy, in SI units and radians; axes are east, north, up.
 

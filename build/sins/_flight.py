@@ -216,7 +216,7 @@ def fly_records(scene: Any, log: Any, stop: threading.Event) -> "npt.NDArray[Any
 def fly(flown: Flown, hours: Optional[float] = None, *, every_s: Optional[float] = None, **settings: Setting) -> Run:
     """Flies a scene, a log or a trajectory, and returns its records.
 
-    flown: a built-in scene ("patrol"), a file (scene.toml, log.csv), the text of a scene, or a `Trajectory`. hours: how long, in place of
+    flown: a built-in scene ("patrol"), a file (scene.toml, log.csv, flight.igc), the text of a scene, or a `Trajectory`. hours: how long, in place of
     what it says. every_s: spacing of the records [s]; without it there are about 2000. Keywords are sections of a scene, each a dict of its
     keys or the name of a preset: gyro="tactical", accel={"bias_micro_g": [10, 20, 30]}, start={"heading_deg": 0.1},
     options={"seed": 7, "error_model": "rk4"}. All that a scene plans is flown: failures, updates, its unit.

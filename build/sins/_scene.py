@@ -187,14 +187,14 @@ class Scene:
             elif name.endswith(".toml"):
                 with open(name, "rb") as file:
                     self.handle = c.scene_parse(file.read())
-            elif name.endswith(".csv"):
+            elif name.lower().endswith((".csv", ".igc", ".gpx", ".fdr")):
                 self.handle = c.scene_create()
                 c.scene_set_text(self.handle, c.SCENE_TEXT_LOG, os.path.basename(name))
             else:
                 try:
                     self.handle = c.scene_create_builtin(name)
                 except c.Error as error:
-                    error.args = (f"{name!r}: must be a built-in scene ({', '.join(_all(c.scene_builtin_name))}), or a file .toml or .csv",)
+                    error.args = (f"{name!r}: must be a built-in scene ({', '.join(_all(c.scene_builtin_name))}), or a file .toml, .csv, .igc, .gpx or .fdr",)
                     raise
         lines = _lines({"flight.hours": hours, "output.every_s": every_s}, settings)
         try:

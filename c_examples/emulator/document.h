@@ -47,10 +47,11 @@ public:
     void open(const fs::path &file) {
         if (file.empty())
             return;
-        if (lstrcmpiW(file.extension().c_str(), L".csv") == 0) {
-            fly_log(file);
-            return;
-        }
+        for (const wchar_t *of_log : {L".csv", L".igc", L".gpx", L".fdr"})
+            if (lstrcmpiW(file.extension().c_str(), of_log) == 0) {
+                fly_log(file);
+                return;
+            }
         sins::Scene read(read_file(file));
         std::wstring why;
         for (const sins_fault &fault : read.faults())

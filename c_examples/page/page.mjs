@@ -49,7 +49,7 @@ class Page {
             element(
                 "div",
                 { class: "bar" },
-                button("Open", () => choose(".toml,.csv", (file) => this.take_file(file)), "open"),
+                button("Open", () => choose(".toml,.csv,.igc,.gpx,.fdr", (file) => this.take_file(file)), "open"),
                 button("Save the scene", () => save(new Blob([this.text.value], { type: "application/toml" }), `${this.display.name()}.toml`), "save"),
                 button("Save the records", () => this.display.save_records(), "records"),
                 button("Picture", () => this.display.save_picture(), "picture"),
@@ -160,7 +160,7 @@ class Page {
 
     /** Opens a scene, or flies a log. */
     async take_file(file) {
-        const { scene, display } = this, is_log = /\.(csv|txt|log)$/i.test(file.name);
+        const { scene, display } = this, is_log = /\.(csv|txt|log|igc|gpx|fdr)$/i.test(file.name);
         try {
             if (is_log) {
                 display.say(text("computing"));

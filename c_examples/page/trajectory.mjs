@@ -25,7 +25,7 @@ export function trajectory(scene, take_file) {
     const take = element("button", { onclick: () => scene.open(sins.scene_create_builtin(whole.value)), "data-do": "open_builtin" }, text("Open"));
     const source = element("select", { id: "source" }, ...options(parts("sources").slice(0, 3).map((name, k) => [String(k), name])));
     const builtin = element("select", { id: "builtin", "data-path": "flight.builtin" }, ...named(flown_names));
-    const choose_log = () => choose(".csv,text/csv", take_file);
+    const choose_log = () => choose(".csv,text/csv,.igc,.gpx,.fdr", take_file);
     const browse = element("button", { onclick: choose_log }, text("Choose"));
     const log_name = element("output", { class: "log" });
     const row = (id, name, ...content) => element("div", { class: "row wide" }, element("label", { for: id }, name), ...content);

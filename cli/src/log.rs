@@ -8,7 +8,7 @@ use sins::scene::Scene;
 use sins::units::DEG;
 
 use crate::failure::Failure;
-use crate::given::{Settings, is_log, judge, of_log, read_table, unread};
+use crate::given::{ReadLog, Settings, is_log, is_record, judge, of_log, parse_log, read_bytes};
 use crate::output::{NO_MARK, Outputs};
 use crate::siblings;
 use crate::terminal::{print, quoted, say};
@@ -68,12 +68,12 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let mut table = read_table(&order.file)?;
+    let bytes = read_bytes(&order.file)?;
     if let Some(map) = &order.map {
-        if table.note.is_some() {
+        if is_record(&bytes) {
             return Err(Failure::of_file(&order.file, &"is a flight record, which flies without --map"));
         }
-        write_map(order, &table.text, map)?;
+        write_map(order, &bytes, map)?;
     }
     let columns = order.columns.as_ref().or(order.map.as_ref()).cloned();
     let settings = Settings { columns, ..Settings::default() };
@@ -87,23 +87,18 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if let Some(degrees) = order.coordinated {
         (mapping.is_coordinated, mapping.attack_rad) = (true, degrees * DEG);
     }
-    table.complete(&mut mapping);
-    table.join(&order.file, &mut mapping)?;
     let scene = Scene { log: mapping, ..Scene::default() };
-    let rows = FlightLog::parse_with(&table.text, &scene.log)
-        .map_err(|error| unread(&order.file, &table, &scene.log, error))?;
+    let ReadLog { log: rows, others } = parse_log(&order.file, &bytes, &scene.log)?;
     // What flies is judged.
-    let smoothed = scene.log.smooths().then(|| rows.smoothed(&scene.options.earth(), &scene.log));
-    let (log, failure) = match smoothed {
-        Some(Ok(path)) => (path, None),
-        Some(Err(error)) => (rows.clone(), Some(of_log(&order.file, error))),
-        None => (rows.clone(), None),
+    let (log, failure) = match rows.clone().smoothed(&scene.options.earth()) {
+        Ok(path) => (path, None),
+        Err(error) => (rows.clone(), Some(of_log(&order.file, error))),
     };
-    let findings = judge(&scene, &order.file, &log, table.note, log.samples().len());
+    let findings = judge(&scene, &order.file, &log, log.samples().len());
     match &order.output {
         Some(output) => {
             findings.iter().for_each(|(_, words)| say(words));
-            let inputs: Vec<PathBuf> = [order.file.clone()].into_iter().chain(table.others).collect();
+            let inputs: Vec<PathBuf> = [order.file.clone()].into_iter().chain(others).collect();
             failure.map_or_else(|| write(order, &inputs, output, &log), Err)?;
             print(&written::text(&[output], Some(&format!("`sins fly {}`", quoted(output)))))
         }

@@ -1,5 +1,6 @@
 //! Units chosen by size, and numbers as text.
 
+pub use sins::records::rounded;
 use sins::units::{ARCSEC, DEG};
 
 /// A unit: its name, and its size in the SI unit.
@@ -141,11 +142,6 @@ pub fn two_digits(value: f64) -> String {
 /// `value` with six significant digits.
 pub fn six_digits(value: f64) -> f64 {
     rounded(value, 6)
-}
-
-/// `value` rounded to `digits` significant digits.
-pub fn rounded(value: f64, digits: usize) -> f64 {
-    format!("{value:.0$e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
 /// A power of ten as plain digits or as 10 with an exponent.

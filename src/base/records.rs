@@ -27,6 +27,11 @@ pub fn number(value: f64) -> String {
     Number(value).to_string()
 }
 
+/// `value` rounded to `digits` significant digits.
+pub fn rounded(value: f64, digits: usize) -> f64 {
+    format!("{value:.0$e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

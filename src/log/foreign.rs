@@ -1,19 +1,43 @@
-//! Files of other kinds that are taken for scenes and logs: what they are, by their beginning.
+//! Files of other kinds that are taken for scenes and tables: what they are, by their beginning.
+
+use core::fmt;
 
 /// Number of bytes that are looked at.
 const LOOKED_AT: usize = 4096;
 
-/// What [`foreign`] says of a flight record in IGC.
-pub const IGC: &str = "a flight record of a glider (IGC)";
+/// What a file is that is neither a scene nor a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Foreign {
+    /// A flight record in the format of the International Gliding Commission, which is read as a log.
+    Igc,
+    /// A track in the GPS Exchange Format, which is read as a log.
+    Gpx,
+    /// A file of the flight data recorder of X-Plane, which is read as a log.
+    Fdr,
+    /// A file of another kind, in words with an article.
+    Other(&'static str),
+}
 
-/// What [`foreign`] says of a track in GPX.
-pub const GPX: &str = "a track of a receiver (GPX)";
+impl Foreign {
+    /// Whether it is read as a log.
+    pub fn is_record(self) -> bool {
+        !matches!(self, Self::Other(_))
+    }
+}
 
-/// What [`foreign`] says of a file of the flight data recorder of X-Plane.
-pub const FDR: &str = "a flight record of X-Plane (FDR)";
+impl fmt::Display for Foreign {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Igc => "a flight record of a glider (IGC)",
+            Self::Gpx => "a track of a receiver (GPX)",
+            Self::Fdr => "a flight record of X-Plane (FDR)",
+            Self::Other(what) => what,
+        })
+    }
+}
 
 /// Place of bytes in a file, the bytes, and what the file is.
-const BYTES: [(usize, &[u8], &str); 37] = [
+const BYTES: [(usize, &[u8], &str); 32] = [
     (0, b"PK\x03\x04", "a compressed file (zip, also of a workbook or a KMZ)"),
     (0, b"\x1f\x8b", "a compressed file (gzip)"),
     (0, b"BZh", "a compressed file (bzip2)"),
@@ -46,16 +70,10 @@ const BYTES: [(usize, &[u8], &str); 37] = [
     (60, b"RINEX VERSION", "observations of a receiver (RINEX)"),
     (0, b"#airframe_info", "a log of a cockpit (Garmin)"),
     (0, b"SINSsnap", "a snapshot"),
-    (0, b"sins ensemble checkpoint", "a checkpoint of sins ensemble"),
-    (0, b"key,value,unit,label", "a summary of sins fly"),
-    (0, b"time_s,truth_latitude_rad", "records of sins fly, which sins report draws"),
-    (0, b"time_s,error_data,runs,", "a table of sins ensemble, which has a page of its own"),
-    (0, b"time_s,update_s,part,parts", "increments of sins fly, which sins allan reads"),
 ];
 
 /// Beginning of a text or of the name of its first element, and what the text is.
-const WORDS: [(&str, &str); 13] = [
-    ("<gpx", GPX),
+const WORDS: [(&str, &str); 12] = [
     ("<kml", "a map (KML)"),
     ("<TrainingCenterDatabase", "a log of a sports watch (TCX)"),
     ("<html", "a page (HTML)"),
@@ -70,23 +88,25 @@ const WORDS: [(&str, &str); 13] = [
     ("[\n  {", "a text in JSON"),
 ];
 
-/// What a file is that is neither a scene nor a log; `None`: nobody knows.
-pub fn foreign(file: &[u8]) -> Option<&'static str> {
+/// What a file is that is neither a scene nor a table; `None`: nobody knows.
+pub fn foreign(file: &[u8]) -> Option<Foreign> {
     let begin = &file[..file.len().min(LOOKED_AT)];
     let stands = |at: usize, bytes: &[u8]| begin.get(at..).is_some_and(|rest| rest.starts_with(bytes));
     if let Some((.., what)) = BYTES.iter().find(|(at, bytes, _)| stands(*at, bytes)) {
-        return Some(what);
+        return Some(Foreign::Other(what));
     }
     // A text may have some by mistake.
     let control = begin.iter().filter(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace()).count();
     if control * 20 > begin.len() {
-        return Some("a binary file");
+        return Some(Foreign::Other("a binary file"));
     }
     let text = String::from_utf8_lossy(begin).replace("\r\n", "\n").replace('\r', "\n");
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let element = text.starts_with('<').then(|| first_element(text)).flatten().unwrap_or(text);
-    let words = || WORDS.iter().find(|(word, _)| element.starts_with(word)).map(|(_, what)| *what);
-    of_lines(text).or_else(words)
+    let words =
+        || WORDS.iter().find(|(word, _)| element.starts_with(word)).map(|(_, what)| Foreign::Other(what));
+    let track = element.starts_with("<gpx").then_some(Foreign::Gpx);
+    of_lines(text).or(track).or_else(words)
 }
 
 /// The text from the first element of XML on, behind its head and its comments.
@@ -96,7 +116,7 @@ fn first_element(text: &str) -> Option<&str> {
 }
 
 /// What a text is by its lines.
-fn of_lines(text: &str) -> Option<&'static str> {
+fn of_lines(text: &str) -> Option<Foreign> {
     let first = text.lines().next()?.trim_end();
     // B, time, latitude, longitude.
     let is_fix = |line: &str| {
@@ -108,16 +128,16 @@ fn of_lines(text: &str) -> Option<&'static str> {
             && letters[15..23].iter().all(u8::is_ascii_digit)
     };
     if text.lines().any(|line| line.starts_with("HFDTE") || is_fix(line)) {
-        return Some(IGC);
+        return Some(Foreign::Igc);
     }
     let is_record = |line: &str| {
         ["COMM,", "ACFT,", "TAIL,", "DATE,", "DREF,", "DATA,"].iter().any(|word| line.starts_with(word))
     };
     if matches!(first, "A" | "I") && text.lines().any(is_record) {
-        return Some(FDR);
+        return Some(Foreign::Fdr);
     }
     if first.contains("_real,_time") && first.contains('|') {
-        return Some("a data output of X-Plane (Data.txt)");
+        return Some(Foreign::Other("a data output of X-Plane (Data.txt)"));
     }
     None
 }
@@ -130,7 +150,7 @@ mod tests {
     fn files_of_other_kinds_are_known() {
         let padded = |at: usize, bytes: &[u8]| [vec![b' '; at], bytes.to_vec()].concat();
         for (at, bytes, what) in BYTES {
-            assert_eq!(foreign(&padded(at, bytes)), Some(what));
+            assert_eq!(foreign(&padded(at, bytes)), Some(Foreign::Other(what)));
         }
         for (text, what) in [
             ("AXCS123\r\nHFDTE250726\r\nB1201014807038N01131000EA0054500580\r\n", "IGC"),
@@ -148,7 +168,7 @@ mod tests {
             ("   _real,_time |   _totl,_time |\n", "Data.txt"),
             ("a\0b", "a binary file"),
         ] {
-            assert!(foreign(text.as_bytes()).unwrap().contains(what), "{text}");
+            assert!(foreign(text.as_bytes()).unwrap().to_string().contains(what), "{text}");
         }
     }
 

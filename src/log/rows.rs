@@ -4,7 +4,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::{Quaternion, Vector3};
 
 use super::clock::Clock;
-use super::columns::{COUNT, Columns, has, has_quaternion};
+use super::columns::{COUNT, Column, Columns, has, has_quaternion};
 use super::hemisphere::{sides, signed};
 use super::quantity::{
     FORCE, FORWARD, GEOID, Q0, RATE, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY, name, quantity_of,
@@ -141,9 +141,17 @@ pub struct Table<'m> {
     pub clock: Clock,
 }
 
+/// The cells of a row.
+#[derive(Clone, Copy)]
+pub enum Cells<'r> {
+    Texts(&'r StringRecord),
+    /// In the units that the names of the columns state.
+    Numbers(&'r [f64]),
+}
+
 impl Table<'_> {
     /// The sample of a row, with each value in its range; `None`: a value is missing.
-    pub fn sample(&mut self, row: &StringRecord, line: u64) -> Result<Option<FlightSample>, LogError> {
+    pub fn sample(&mut self, cells: &Cells<'_>, line: u64) -> Result<Option<FlightSample>, LogError> {
         let mut values = [0.0; COUNT];
         // A row without times has the next one, whatever is missing.
         let mut is_whole = true;
@@ -156,33 +164,20 @@ impl Table<'_> {
                 values[quantity] = column.offset;
                 continue;
             };
-            let name = &column.name;
-            let Some(text) = row.get(place) else {
-                return Err(fault(line, place + 1, format!("the line ends before {name}")));
-            };
-            let Some(text) = part_of(text, column.part) else {
-                let sentence = format!("{name}: expected {} parts, found \"{}\"", column.part, excerpt(text));
-                return Err(fault(line, place + 1, sentence));
-            };
-            let letter = column.hemisphere.map(|place| (place, row.get(place).unwrap_or_default()));
-            let has_no_letter = letter.is_some_and(|(_, letter)| is_missing(letter, None));
-            if self.is_mapped && (is_missing(text, self.mapping.missing) || has_no_letter) {
-                is_whole = false;
-                continue;
-            }
-            let separator = self.mapping.separator;
             let is_time = quantity == 0;
-            let number = match sides(quantity) {
-                _ if is_time => self.clock.next(&separator.with_point(text)),
-                Some(sides) => signed((place, text), letter, sides, separator)
-                    .map_err(|(place, sentence)| fault(line, place + 1, format!("{name}: {sentence}")))?,
-                None => number(text, separator),
+            let number = match cells {
+                Cells::Numbers(numbers) => {
+                    let number = numbers.get(place).copied();
+                    number.filter(|number| self.mapping.missing != Some(*number))
+                }
+                Cells::Texts(row) => {
+                    let (mapping, clock) = (self.mapping, is_time.then_some(&mut self.clock));
+                    number_of(row, line, (quantity, column, place), mapping, self.is_mapped, clock)?
+                }
             };
             let Some(number) = number else {
-                let what = if is_time { self.clock.expected() } else { "a finite number" };
-                let hint = if text.contains(',') { COMMA_HINT } else { "" };
-                let sentence = format!("{name}: expected {what}, found \"{}\"{hint}", excerpt(text));
-                return Err(fault(line, place + 1, sentence));
+                is_whole = false;
+                continue;
             };
             let factor = if is_time && !self.clock.is_number() { 1.0 } else { column.factor };
             values[quantity] = number * factor;
@@ -239,6 +234,46 @@ impl Table<'_> {
             temperature_c: columns[TEMPERATURE].as_ref().map(|_| values[TEMPERATURE]),
         }
     }
+}
+
+/// The number of a quantity in a row of texts, whose column is at `place`; `None`: the value is missing. Times have the clock.
+fn number_of(
+    row: &StringRecord,
+    line: u64,
+    (quantity, column, place): (usize, &Column, usize),
+    mapping: &LogMapping,
+    is_mapped: bool,
+    clock: Option<&mut Clock>,
+) -> Result<Option<f64>, LogError> {
+    let name = &column.name;
+    let Some(text) = row.get(place) else {
+        return Err(fault(line, place + 1, format!("the line ends before {name}")));
+    };
+    let Some(text) = part_of(text, column.part) else {
+        let sentence = format!("{name}: expected {} parts, found \"{}\"", column.part, excerpt(text));
+        return Err(fault(line, place + 1, sentence));
+    };
+    let letter = column.hemisphere.map(|place| (place, row.get(place).unwrap_or_default()));
+    let has_no_letter = letter.is_some_and(|(_, letter)| is_missing(letter, None));
+    if is_mapped && (is_missing(text, mapping.missing) || has_no_letter) {
+        return Ok(None);
+    }
+    let separator = mapping.separator;
+    let (number, what) = match (clock, sides(quantity)) {
+        (Some(clock), _) => (clock.next(&separator.with_point(text)), clock.expected()),
+        (None, Some(sides)) => {
+            let signed = signed((place, text), letter, sides, separator)
+                .map_err(|(place, sentence)| fault(line, place + 1, format!("{name}: {sentence}")))?;
+            (signed, "a finite number")
+        }
+        (None, None) => (number(text, separator), "a finite number"),
+    };
+    if number.is_none() {
+        let hint = if text.contains(',') { COMMA_HINT } else { "" };
+        let sentence = format!("{name}: expected {what}, found \"{}\"{hint}", excerpt(text));
+        return Err(fault(line, place + 1, sentence));
+    }
+    Ok(number)
 }
 
 /// What stands in a cell without a value.

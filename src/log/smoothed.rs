@@ -25,20 +25,43 @@ pub struct RowOfPath {
     pub residual_n: Vector3<f64>,
 }
 
-impl FlightLog {
-    /// The path of [`Smoothed`] through its samples, sampled at [`LogMapping::smooth_rate_hz`]. Its notes say what was done.
-    pub fn smoothed(&self, earth: &Earth, mapping: &LogMapping) -> Result<Self, LogError> {
+/// How a log becomes a smooth path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Smoothing {
+    /// Rate of the samples of the path [Hz].
+    rate_hz: f64,
+    options: SmoothOptions,
+}
+
+impl LogMapping {
+    /// How the path is smoothed; `None`: it is not.
+    pub(super) fn smoothing(&self) -> Option<Smoothing> {
         let options = SmoothOptions {
-            position_sigma_m: mapping.position_sigma_m,
-            attitude_sigma_rad: mapping.attitude_sigma_rad,
-            coordinated_attack_rad: mapping.is_coordinated.then_some(mapping.attack_rad),
+            position_sigma_m: self.position_sigma_m,
+            attitude_sigma_rad: self.attitude_sigma_rad,
+            coordinated_attack_rad: self.is_coordinated.then_some(self.attack_rad),
         };
+        self.smooths().then_some(Smoothing { rate_hz: self.smooth_rate_hz, options })
+    }
+}
+
+impl FlightLog {
+    /// The path of [`Smoothed`] through its samples, sampled at [`LogMapping::smooth_rate_hz`]. Its notes say what was done. A log that is
+    /// not to be smoothed is its own path.
+    pub fn smoothed(self, earth: &Earth) -> Result<Self, LogError> {
+        match self.smoothing {
+            Some(smoothing) => self.through_rows(earth, &smoothing),
+            None => Ok(self),
+        }
+    }
+
+    fn through_rows(&self, earth: &Earth, smoothing: &Smoothing) -> Result<Self, LogError> {
+        let Smoothing { rate_hz, options } = *smoothing;
         let smoothed = Smoothed::new(earth, &self.samples, &options).map_err(|error| {
             let line = error.index.and_then(|index| self.line(index)).unwrap_or_default();
             fault(line, 1, format!("{error}{}", self.what_may_be_the_cause(earth)))
         })?;
         let [start_s, end_s] = smoothed.span_s();
-        let rate_hz = mapping.smooth_rate_hz;
         let intervals = (end_s - start_s) * rate_hz;
         if !(1.0..=MOST_SAMPLES).contains(&intervals) {
             let sentence = format!(
@@ -56,7 +79,7 @@ impl FlightLog {
             while self.samples.get(row + 1).is_some_and(|next| next.time_s <= time_s) {
                 row += 1;
             }
-            lines.push(self.lines[row]);
+            lines.extend(self.line(row));
         }
         let mut rows = room(self.samples.len()).map_err(LogError::Memory)?;
         for FlightSample { time_s, place, .. } in &self.samples {
@@ -88,6 +111,7 @@ impl FlightLog {
             rows,
             has_attitude: true,
             mapping: self.mapping.clone(),
+            smoothing: None,
         })
     }
 }

@@ -26,8 +26,7 @@ pub struct Samples {
 impl Scene {
     /// The log in a text, read and repaired as [`Scene::log`] says.
     pub fn read_log(&self, text: &[u8]) -> Result<FlightLog, LogError> {
-        let log = FlightLog::parse_with(text, &self.log)?;
-        if self.log.smooths() { log.smoothed(&self.options.earth(), &self.log) } else { Ok(log) }
+        FlightLog::parse_with(text, &self.log)?.smoothed(&self.options.earth())
     }
 
     /// The samples of the flight at its rate, or those of its log up to the duration that the scene sets.
@@ -86,31 +85,5 @@ impl Scene {
             return Err(Error::invalid("output.every_s", self.output.every_s.unwrap_or_default(), rule));
         }
         Ok(intervals as u64)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_flight_has_one_temperature() {
-        let log = |more: [&str; 3]| {
-            let [name, first, second] = more;
-            let angles = "latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg";
-            let text =
-                format!("time_s,{angles}{name}\n0,48,11,500,0,0,0{first}\n1,48,11,500,0,0,0{second}\n");
-            FlightLog::parse(text.as_bytes()).unwrap()
-        };
-        let scene =
-            |more: &str| Scene::parse(format!("[flight]\nfile = \"a.csv\"\n{more}").as_bytes()).unwrap();
-        let (own, without) = (log([",temperature_c", ",20", ",21"]), log(["", "", ""]));
-        let set = scene("temperature_c = 15\n");
-        assert!(scene("").samples(Some(&own)).is_ok() && set.samples(Some(&without)).is_ok());
-        let error = set.samples(Some(&own)).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "flight.temperature_c = 15: must not be set for a log with the temperature of its own"
-        );
     }
 }

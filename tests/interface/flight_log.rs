@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 use sins::log::{FlightLog, LogError};
+use sins::scene::Scene;
 
 const HEADER: &str = "time_s, latitude_deg,longitude_rad,height_m,roll_rad,pitch_rad,heading_deg";
 
@@ -183,4 +184,23 @@ fn values_of_a_log_have_ranges() {
     }
     let text = format!("{HEADER}\n0,45,0.1,100,0,0,90\n1,90.01,0.2,100,0,0,90\n");
     assert_eq!(fault(text.as_bytes()), (3, 2, "latitude_deg = 90.01: must be from -90 to 90".to_owned()));
+}
+
+#[test]
+fn a_flight_has_one_temperature() {
+    let log = |more: [&str; 3]| {
+        let [name, first, second] = more;
+        let angles = "latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg";
+        let text = format!("time_s,{angles}{name}\n0,48,11,500,0,0,0{first}\n1,48,11,500,0,0,0{second}\n");
+        FlightLog::parse(text.as_bytes()).unwrap()
+    };
+    let scene = |more: &str| Scene::parse(format!("[flight]\nfile = \"a.csv\"\n{more}").as_bytes()).unwrap();
+    let (own, without) = (log([",temperature_c", ",20", ",21"]), log(["", "", ""]));
+    let set = scene("temperature_c = 15\n");
+    assert!(scene("").samples(Some(&own)).is_ok() && set.samples(Some(&without)).is_ok());
+    let error = set.samples(Some(&own)).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "flight.temperature_c = 15: must not be set for a log with the temperature of its own"
+    );
 }

@@ -339,3 +339,45 @@ fn a_judge_passes_over_the_attitude_of_a_coordinated_log() {
     assert_eq!(kinds(""), [SINS_FINDING_HEADING_OFF_TRACK]);
     assert_eq!(kinds("attitude = \"coordinated\""), []);
 }
+
+const NOT_BESIDE: &str = "log.roll.file: expected the name of a file beside the log, without a folder";
+
+/// The program joins files; the library reads one text, and says so.
+#[test]
+fn a_column_of_another_file_is_written_and_not_read() {
+    let scene = |keys: &str| Scene::parse(format!("[flight]\nfile = \"a.csv\"\n[log]\n{keys}\n").as_bytes());
+    let of_file = scene("roll = { col = \"Roll\", file = \"ATT \\\"1\\\".csv\" }").unwrap();
+    assert_eq!(of_file.log.columns[4].file, "ATT \"1\".csv");
+    assert_eq!(Scene::parse(of_file.write().as_bytes()).unwrap().log, of_file.log);
+    let table = "time_s,latitude_deg,longitude_deg,height_m,pitch_deg,heading_deg,Roll\n0,48,11,0,0,0,0\n1,48,11,0,0,0,0\n";
+    let Err(LogError::Fault(fault)) = FlightLog::parse_with(table.as_bytes(), &of_file.log) else { panic!() };
+    assert!(
+        fault.sentence.starts_with("log.roll: stands in ATT \"1\".csv, and a text is one table; `sins log"),
+        "{fault:?}"
+    );
+    for (keys, words) in [
+        (
+            "time = { col = \"t\", file = \"a.csv\" }",
+            "log.time.file: times and positions are those of the log itself",
+        ),
+        ("longitude = { col = \"l\", file = \"a.csv\" }", "log.longitude.file: times and positions"),
+        ("roll = { col = \"r\", file = \"\" }", "log.roll.file: expected the name of a file beside the log"),
+        ("roll = { col = \"r\", file = 1 }", "log.roll.file: expected the name of a file beside the log"),
+        ("roll = { col = \"r\", file = \"../a.csv\" }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = \"folder/a.csv\" }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = \"/a.csv\" }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = '\\\\host\\share\\a.csv' }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = '..\\a.csv' }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = \"C:a.csv\" }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = \"a.csv:stream\" }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = \"..\" }", NOT_BESIDE),
+        ("roll = { col = \"r\", file = \".\" }", NOT_BESIDE),
+        (
+            "roll = { value = 1, file = \"a.csv\" }",
+            "log.roll: a value has no file, no part and no hemisphere",
+        ),
+    ] {
+        let faults = scene(keys).unwrap_err();
+        assert!(faults[0].sentence.contains(words), "{faults:?}");
+    }
+}

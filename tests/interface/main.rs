@@ -16,6 +16,8 @@ mod examples;
 mod faulty_texts;
 #[cfg(feature = "scenes")]
 mod flight_log;
+#[cfg(feature = "scenes")]
+mod flight_records;
 mod header;
 #[cfg(feature = "scenes")]
 mod host_machine;

@@ -4,9 +4,9 @@ use std::fs::File;
 use std::io::{Cursor, Read};
 use std::path::Path;
 
-use sins::log::foreign;
 use sins::scene::MAX_TEXT;
 
+use super::kind::FileKind;
 use crate::failure::Failure;
 
 /// Number of bytes that show what a file is.
@@ -49,7 +49,7 @@ pub fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
     if bytes.len() <= MAX_TEXT {
         return Ok(bytes);
     }
-    Err(match foreign(&bytes) {
+    Err(match FileKind::of(&bytes) {
         Some(what) => Failure::of_file(path, &format!("is {what}: expected a text in TOML")),
         None => {
             Failure::of_file(path, &format!("a text has at most {MAX_TEXT} bytes, and this one has more"))
@@ -64,7 +64,7 @@ pub fn open_table(path: &Path) -> Result<(impl Read + use<>, u64), Failure> {
     let mut begin = Vec::new();
     let read = (&mut file).take(BEGIN).read_to_end(&mut begin);
     read.map_err(|error| Failure::of_input(path, &error))?;
-    match foreign(&begin) {
+    match FileKind::of(&begin) {
         // The program's own tables have messages of their own.
         Some(what) if !begin.starts_with(b"time_s,") => {
             Err(Failure::of_file(path, &format!("is {what}: expected a table of comma-separated values")))

@@ -31,14 +31,8 @@ pub fn sentence(finding: &Finding) -> String {
     format!("{}: {}", finding.level.word(), finding.with_remedy())
 }
 
-/// The findings in the first `count` samples of a log, what was `assumed` of it, and the notes of its reader, each with its line.
-pub fn judge(
-    scene: &Scene,
-    path: &Path,
-    log: &FlightLog,
-    assumed: Option<String>,
-    count: usize,
-) -> Vec<(Level, String)> {
+/// The findings in the first `count` samples of a log, and the notes of its reader, each with its line.
+pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(Level, String)> {
     let mut judge = judge_of(scene);
     log.judge(&mut judge, count).expect("each value of a log is in its range");
     let place = |finding: &Finding| match log.line_of(finding) {
@@ -51,8 +45,7 @@ pub fn judge(
         let word = Level::Note.word();
         (Level::Note, format!("{}{line}: {word}: {sentence}", path.display()))
     };
-    let assumed = assumed.iter().map(|sentence| noted(0, sentence));
-    let noted = assumed.chain(log.notes().iter().map(|note| noted(note.line, &note.sentence)));
+    let noted = log.notes().iter().map(|note| noted(note.line, &note.sentence));
     judge.findings().map(words).chain(noted).collect()
 }
 

@@ -1,31 +1,60 @@
 //! Flight logs from files, pipes and standard input.
 
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use sins::log::{FlightLog, LogError, LogMapping, survey};
+use sins::log::{FilesError, FlightLog, LogError, LogMapping, survey};
 use sins::scene::Scene;
 
+use super::beside::beside;
 use super::file::reject_device;
-use super::record::Table;
+use super::kind::{FileKind, is_record};
 use crate::failure::Failure;
 use crate::terminal::quoted;
 
-/// The log at `path`, read and repaired as `scene` says, and the table that it was read from; "-" means standard input. The `[log]` of
-/// the scene is completed for a flight record, and becomes that of the one table of several files.
-pub fn read_log(path: &Path, scene: &mut Scene) -> Result<(FlightLog, Table), Failure> {
-    let mut table = read_table(path)?;
-    table.complete(&mut scene.log);
-    table.join(path, &mut scene.log)?;
-    let log = scene.read_log(&table.text).map_err(|error| unread(path, &table, &scene.log, error))?;
-    Ok((log, table))
+/// A log, and the files beside it that were joined with it.
+pub struct ReadLog {
+    pub log: FlightLog,
+    pub others: Vec<PathBuf>,
 }
 
-/// The failure about a table at `path` that is not read. If nothing names its columns and they can be found, it says how.
-pub fn unread(path: &Path, table: &Table, mapping: &LogMapping, error: LogError) -> Failure {
+/// The log at `path`, read and repaired as `scene` says; "-" means standard input.
+pub fn read_log(path: &Path, scene: &Scene) -> Result<ReadLog, Failure> {
+    let bytes = read_bytes(path)?;
+    let ReadLog { log, others } = parse_log(path, &bytes, &scene.log)?;
+    let log = log.smoothed(&scene.options.earth()).map_err(|error| of_log(path, error))?;
+    Ok(ReadLog { log, others })
+}
+
+/// The rows of the log at `path`, whose bytes these are, with those of the files beside it that `mapping` names.
+pub fn parse_log(path: &Path, bytes: &[u8], mapping: &LogMapping) -> Result<ReadLog, Failure> {
+    let mut others = Vec::new();
+    let read = |name: &str| {
+        let other = beside(path, name)?;
+        let bytes = read_bytes(&other)?;
+        others.push(other);
+        Ok::<_, Failure>(bytes)
+    };
+    match FlightLog::parse_files(bytes, mapping, read) {
+        Ok(log) => Ok(ReadLog { log, others }),
+        Err(FilesError::Unread(failure)) => Err(failure),
+        Err(FilesError::Of(name, error)) if name.is_empty() => Err(unread(path, bytes, mapping, error)),
+        Err(FilesError::Of(name, error)) => Err(of_log(&path.with_file_name(name), error)),
+    }
+}
+
+/// The failure about a log at `path` that is not read: what it is instead, or, if nothing names its columns and they can be found, how.
+fn unread(path: &Path, bytes: &[u8], mapping: &LogMapping, error: LogError) -> Failure {
+    let is_plain = *mapping == mapping.of_own_columns();
+    if let (LogError::Fault(_), Some(kind @ (FileKind::Own(_) | FileKind::Records))) =
+        (&error, FileKind::of(bytes).filter(|_| is_plain))
+    {
+        let what = format!("is {kind}: expected a flight log, a table of comma-separated values");
+        return Failure::of_line(path, 1, &what);
+    }
     let is_about_columns = error.is_about_columns() && mapping.columns == LogMapping::default().columns;
     let failure = of_log(path, error);
-    if !is_about_columns || table.note.is_some() || path == Path::new("-") || survey(&table.text).is_none() {
+    if !is_about_columns || is_record(bytes) || path == Path::new("-") || survey(bytes).is_none() {
         return failure;
     }
     let file = quoted(path);
@@ -41,8 +70,8 @@ pub fn of_log(path: &Path, error: LogError) -> Failure {
     }
 }
 
-/// The table of the log at `path`; "-" means standard input.
-pub fn read_table(path: &Path) -> Result<Table, Failure> {
+/// The bytes of the log at `path`; "-" means standard input.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     reject_device(path)?;
     let read = if path == Path::new("-") {
         let mut bytes = Vec::new();
@@ -50,5 +79,5 @@ pub fn read_table(path: &Path) -> Result<Table, Failure> {
     } else {
         std::fs::read(path)
     };
-    Table::of_file(path, read.map_err(|error| Failure::of_input(path, &error))?)
+    read.map_err(|error| Failure::of_input(path, &error))
 }

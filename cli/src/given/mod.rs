@@ -1,12 +1,13 @@
 //! The scene that the command line names, and its flight sample by sample.
 
 mod arguments;
+mod beside;
 mod file;
 mod gaps;
 mod judged;
+mod kind;
 mod left_out;
 mod log;
-mod record;
 mod settings;
 mod text;
 mod title;
@@ -27,7 +28,8 @@ pub use arguments::{Hours, SceneArguments};
 pub use file::{open_table, read_text};
 pub use gaps::{Gaps, unit_of_interval};
 pub use judged::{Trust, judge, judge_of, sentence};
-pub use log::{of_log, read_log, read_table, unread};
+pub use kind::{FileKind, is_record};
+pub use log::{ReadLog, of_log, parse_log, read_bytes, read_log};
 pub use settings::Settings;
 pub use text::is_log;
 pub use whole::whole;
@@ -107,22 +109,20 @@ impl Given {
             }
             name = name_of(log);
         }
-        let mut note = None;
         let (source, log) = match &scene.flight {
             FlightSource::Log(file) => {
                 let path = match log {
                     Some(path) => path.to_owned(),
                     None => text.folder().join(file),
                 };
-                let read = read_log(&path, &mut scene);
-                let (log, table) = read.map_err(|failure| text.at("flight", "file", failure))?;
-                note = table.note;
+                let read = read_log(&path, &scene);
+                let ReadLog { log, others } = read.map_err(|failure| text.at("flight", "file", failure))?;
                 if scene.temperature.is_some() && log.samples()[0].temperature_c.is_some() {
                     let what = Failure::new("flight.temperature_c: the log has a column of that name");
                     return Err(text.at("flight", "temperature_c", what));
                 }
                 inputs.push(path.clone());
-                inputs.extend(table.others);
+                inputs.extend(others);
                 (Source::Log(Arc::new(log)), Some(path))
             }
             _ => (Source::flight_of(&scene)?, None),
@@ -151,7 +151,7 @@ impl Given {
             log,
         };
         if let (Source::Log(log), Some(path)) = (&given.source, &given.log) {
-            let findings = judged::judge(&given.scene, path, log, note, count);
+            let findings = judged::judge(&given.scene, path, log, count);
             let refused = trust.take(&findings).err();
             match gaps::find(&given.scene, log, count) {
                 Ok(gaps) => given.gaps = gaps,

@@ -3,11 +3,10 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use sins::log::foreign;
 use sins::scene::{BUILTIN_SCENES, Fault, Scene, nearest};
 
 use super::file::read_text;
-use super::record::is_record;
+use super::kind::{FileKind, is_record_at};
 use super::settings::Settings;
 use crate::failure::Failure;
 
@@ -94,7 +93,7 @@ impl Text {
         }
         let has_ending = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "toml");
         if let Some(path) = self.path.as_ref().filter(|path| !has_ending(path)) {
-            let what = match foreign(&self.bytes) {
+            let what = match FileKind::of(&self.bytes) {
                 Some(_) => {
                     "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has"
                 }
@@ -147,7 +146,7 @@ pub fn is_log(name: &OsStr) -> bool {
     let path = Path::new(name);
     let has_ending =
         path.extension().is_some_and(|ending| ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)));
-    name == "-" || has_ending || is_record(path)
+    name == "-" || has_ending || is_record_at(path)
 }
 
 /// Whether a text begins with the header of a flight log.

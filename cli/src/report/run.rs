@@ -7,13 +7,12 @@ use std::path::{Path, PathBuf};
 use nalgebra::Vector3;
 use sins::earth::state::Navigation;
 use sins::errors::NavigationErrors;
-use sins::log::foreign;
 use sins::record::{COLUMNS, NEAR_POLE, NOT_COMPUTED, OUTSIDE_VALIDITY, Record, SIGMA_COLUMNS};
 use sins::unit::State;
 
 use crate::drawing::events::Events;
 use crate::failure::Failure;
-use crate::given::open_table;
+use crate::given::{FileKind, open_table};
 use crate::places::beside;
 use crate::report::rows::Rows;
 use crate::report::summary::Summary;
@@ -74,7 +73,7 @@ impl Run {
             // A file of another kind has no summary.
             let (mut input, mut begin) = (open_table(path)?.0, [0; 64]);
             let length = input.read(&mut begin).map_err(|error| Failure::of_input(path, &error))?;
-            if let Some(what) = foreign(&begin[..length]).filter(|what| !what.starts_with("records of")) {
+            if let Some(what) = FileKind::of(&begin[..length]).filter(|what| *what != FileKind::Records) {
                 return Err(Failure::of_file(path, &format!("is {what}: expected records of sins fly")));
             }
         }

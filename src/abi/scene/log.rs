@@ -64,6 +64,9 @@ const ROOM: usize = 1 << 20;
 /// when a sample is pushed. The library does not keep the bytes. Not for a real-time frame: it allocates, 184 bytes a
 /// sample, and room for the text if it is not UTF-8.
 ///
+/// The text may also be a flight record: IGC, GPX 1.0 or 1.1, or FDR version 4 of X-Plane. Its path is smoothed; its attitude is that of
+/// the FDR, of the [log], or else that of a coordinated flight without wind. It allocates about 200 bytes a fix more.
+///
 /// SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
 /// sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.

@@ -1,6 +1,5 @@
-use sins::scene::Scene;
-
 use super::*;
+use crate::scene::Scene;
 
 const KEYS: &str =
     "time = { col = \"TimeUS\", unit = \"us\" }\nlatitude = \"Lat\"\nlongitude = \"Lng\"\nheight = \"Alt\"\n";
@@ -13,20 +12,28 @@ fn positions(times: impl IntoIterator<Item = f64>) -> String {
     format!("TimeUS,Lat,Lng,Alt\n{}", times.into_iter().map(row).collect::<String>())
 }
 
-/// The log of files in a folder of their own, joined by lines of `[log]`, and the note; or why not.
+/// The log of files, the first of which is POS.csv, joined by lines of `[log]`, and its notes; or why not.
 fn joined(files: &[(&str, String)], keys: &str) -> Result<(FlightLog, String), String> {
-    let folder = tempfile::tempdir().unwrap();
-    for (name, text) in files {
-        std::fs::write(folder.path().join(name), text).unwrap();
-    }
     let scene = Scene::parse(format!("[flight]\nfile = \"POS.csv\"\n[log]\n{keys}").as_bytes()).unwrap();
-    let (mut mapping, path) = (scene.log, folder.path().join("POS.csv"));
-    let bare = |text: String| text.replace(&format!("{}/", folder.path().display()), "");
-    let mut table = read_table(&path).unwrap();
-    table.join(&path, &mut mapping).map_err(|failure| bare(failure.to_string()))?;
-    assert_eq!(table.others.len(), 1);
-    let log = FlightLog::parse_with(&table.text, &mapping).unwrap();
-    Ok((log, bare(table.note.unwrap())))
+    let mut names = Vec::new();
+    let read = |name: &str| {
+        names.push(name.to_owned());
+        let file = files.iter().find(|(known, _)| *known == name);
+        file.map(|(_, text)| text.as_bytes().to_vec()).ok_or(format!("{name}: is not here"))
+    };
+    let log =
+        FlightLog::parse_files(files[0].1.as_bytes(), &scene.log, read).map_err(|error| match error {
+            FilesError::Unread(sentence) => sentence,
+            FilesError::Of(name, LogError::Fault(Fault { line, sentence, .. })) => {
+                let name = if name.is_empty() { "POS.csv" } else { &name };
+                if line > 0 { format!("{name}:{line}: {sentence}") } else { format!("{name}: {sentence}") }
+            }
+            FilesError::Of(_, LogError::Memory(error)) => panic!("{error}"),
+        })?;
+    assert_eq!(names, [files[1].0]);
+    let notes: Vec<&str> = log.notes().iter().map(|note| note.sentence.as_str()).collect();
+    let notes = notes.join("; ");
+    Ok((log, notes))
 }
 
 fn degrees(sample: &FlightSample) -> [f64; 3] {
@@ -156,7 +163,7 @@ fn what_cannot_be_joined_is_refused() {
     let two = all.replace("\"Yaw\", file = \"ATT.csv\"", "\"Yaw\", file = \"XKF1.csv\"");
     let body = "forward = { col = \"u\", file = \"X.csv\" }\nright = { col = \"v\", file = \"X.csv\" }\ndown = { col = \"w\", file = \"X.csv\" }\n";
     for (files, keys, expected) in [
-        (vec![pos.clone()], all.clone(), "ATT.csv: cannot be read: "),
+        (vec![pos.clone()], all.clone(), "ATT.csv: is not here"),
         (
             vec![pos.clone(), att("9000000,0,0,0\n9300000,0,0,0\n")],
             all.clone(),
@@ -175,12 +182,12 @@ fn what_cannot_be_joined_is_refused() {
         (
             vec![pos.clone(), att(good)],
             two,
-            "log.heading: the attitude must stand in one file, not in ATT.csv and XKF1.csv",
+            "POS.csv: log.heading: the attitude must stand in one file, not in ATT.csv and XKF1.csv",
         ),
         (
             vec![pos.clone(), att(good)],
             format!("{all}{body}"),
-            "log: this velocity needs the attitude or the variation",
+            "POS.csv: log: this velocity needs the attitude or the variation",
         ),
         (
             vec![pos.clone(), att(good)],

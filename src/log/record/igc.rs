@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use sins::log::{Clock, LogMapping, TimeFormat};
-use sins::scene::excerpt;
-
-use super::{Fault, Rows, left_out};
+use super::{Record, left_out};
+use crate::base::memory::room_for_one_more;
+use crate::base::text::excerpt;
+use crate::log::{Clock, LogError, LogMapping, TimeFormat, fault};
 
 /// The columns of a B record, from 0.
 const TIME: Range<usize> = 1..7;
@@ -55,16 +55,16 @@ struct Fix {
     gnss_m: Option<f64>,
 }
 
-/// The rows of a record, and what was assumed.
-pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
+/// The rows of a text.
+pub fn record(text: &str) -> Result<Record, LogError> {
     let mut clock = Clock::new(&LogMapping { time_format: TimeFormat::Hms, ..LogMapping::default() });
     let (mut fixes, mut without_position, mut digits) = (Vec::new(), 0, Digits::default());
-    let mut cut: Vec<(u64, String)> = Vec::new();
+    // Records that are cut: how many, the line of the first, and its length.
+    let mut cut: Option<(u64, u64, usize)> = None;
     let mut gnss_above = "above the ellipsoid";
-    for (bytes, line) in record.split(|byte| *byte == b'\n').zip(1..) {
-        let record = String::from_utf8_lossy(bytes);
+    for (record, line) in text.split('\n').zip(1..) {
         if record.starts_with('I') {
-            digits = Digits::of(&record);
+            digits = Digits::of(record);
         }
         // HFALG: what GNSS heights are above.
         if record.starts_with("HFALG") && record.contains("GEO") {
@@ -75,27 +75,30 @@ pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
         }
         let record = record.trim_end_matches('\r');
         if record.len() < GNSS.end {
-            let (least, found) = (GNSS.end, record.len());
-            cut.push((line, format!("B record: expected at least {least} characters, found {found}")));
+            cut.get_or_insert((0, line, record.len())).0 += 1;
             continue;
         }
         match fix(record, line, &digits, &mut clock) {
-            Ok(Some(fix)) => fixes.push(fix),
+            Ok(Some(fix)) => {
+                room_for_one_more(&mut fixes).map_err(LogError::Memory)?;
+                fixes.push(fix);
+            }
             Ok(None) => without_position += 1,
-            Err(sentence) => return Err((line, format!("B record: {sentence}"))),
+            Err(sentence) => return Err(fault(line, 1, format!("B record: {sentence}"))),
         }
     }
     // One that the logger has not written to its end is lost; if most are so, the file is another.
-    let first_cut = cut.first().map_or(0, |(line, _)| *line);
-    let count_cut = cut.len() as u64;
-    if let Some(first) = cut.into_iter().next().filter(|_| count_cut as usize >= fixes.len().max(1)) {
-        return Err(first);
+    let (count_cut, first_cut, found) = cut.unwrap_or_default();
+    if count_cut >= fixes.len().max(1) as u64 {
+        let least = GNSS.end;
+        let sentence = format!("B record: expected at least {least} characters, found {found}");
+        return Err(fault(first_cut, 1, sentence));
     }
     if fixes.is_empty() {
         let what = "no fix: expected B records with the validity A, found";
-        return Err((0, format!("{what} {without_position} with V")));
+        return Err(fault(0, 1, format!("{what} {without_position} with V")));
     }
-    let mut rows = Rows::new("time_s,latitude_deg,longitude_deg,height_m,pressure_height_m");
+    let mut rows = Record::new(&["time_s", "latitude_deg", "longitude_deg", "height_m", "pressure_height_m"]);
     let without_gnss = fixes.iter().filter(|fix| fix.gnss_m.is_none()).count() as u64;
     // The path has no step where GNSS heights begin or end.
     let above = |fix: &Fix| fix.gnss_m.map(|gnss_m| gnss_m - fix.pressure_m);
@@ -103,12 +106,11 @@ pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
     for fix in &fixes {
         above_m = above(fix).unwrap_or(above_m);
         let Fix { line, time_s, latitude_deg, longitude_deg, pressure_m, .. } = *fix;
-        let height_m = pressure_m + above_m;
-        rows.push(line, time_s, &[latitude_deg, longitude_deg, height_m, pressure_m]);
+        rows.push(line, [time_s, latitude_deg, longitude_deg, pressure_m + above_m, pressure_m])?;
     }
     let heights = match without_gnss {
         0 => format!("heights of GNSS, {gnss_above}"),
-        all if all == rows.count => {
+        all if all == rows.count() => {
             "pressure altitudes as heights, because those of GNSS are 0 or missing".to_owned()
         }
         some => format!(
@@ -120,8 +122,8 @@ pub fn table(record: &[u8]) -> Result<(Rows, String), Fault> {
         _ => format!("cut before their ends (the first: line {first_cut})"),
     };
     let left_out = left_out(&[(without_position, "without a position (V)"), (count_cut, &of_cut)]);
-    let note = format!("IGC record, {} fixes {}: {heights}{left_out}", rows.count, rows.spacing());
-    Ok((rows, note))
+    rows.note = format!("IGC record, {} fixes {}: {heights}{left_out}", rows.count(), rows.spacing());
+    Ok(rows)
 }
 
 /// The fix of a B record with all its columns; `None`: its validity is V.

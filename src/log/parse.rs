@@ -1,0 +1,174 @@
+//! Logs from texts: tables and flight records.
+
+use csv::StringRecord;
+
+use super::columns::{columns, only_place, unread};
+use super::foreign::foreign;
+use super::reading::Reading;
+use super::record::Record;
+use super::rows::{Cells, check_line, names_of, next_row, reader, single_blanks};
+use super::text::decoded;
+use super::{FlightLog, LogError, LogMapping, MAX_COLUMNS, Separator, fault};
+use crate::base::text::Fault;
+
+impl FlightLog {
+    /// Reads the log in a text: at least two samples, in the order of time, with values in their ranges. How they follow each
+    /// other is checked when they are pushed.
+    pub fn parse(text: &[u8]) -> Result<Self, LogError> {
+        Self::parse_with(text, &LogMapping::default())
+    }
+
+    /// As [`FlightLog::parse`], of a table that is read as `mapping` says. A row in which a value is missing is then left out; so is, of
+    /// a log that will be smoothed, a row that is not later than the one before. The text may also be a flight record in IGC, GPX or FDR,
+    /// whose columns have the names of the library's own: such a log is to be smoothed.
+    pub fn parse_with(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
+        let text = decoded(text).map_err(LogError::Memory)?;
+        let kind = foreign(text.as_bytes());
+        let record = kind.map(|kind| Record::read(kind, &text)).transpose()?.flatten();
+        let log = match &record {
+            Some(record) => Self::of_record(record, mapping),
+            None => Self::of_table(text.as_bytes(), mapping).map_err(|error| match (&error, kind) {
+                (LogError::Fault(_), Some(what)) if !mapping.is_foreign() => fault(
+                    1,
+                    1,
+                    format!("is {what}: expected a flight log, a table of comma-separated values"),
+                ),
+                _ => error,
+            }),
+        };
+        log.map(|log| Self { mapping: kept(mapping), ..log })
+    }
+
+    fn of_record(record: &Record, mapping: &LogMapping) -> Result<Self, LogError> {
+        let mapping = record.complete(mapping)?;
+        let names = StringRecord::from(record.names);
+        let columns = columns(&names, 0, &mapping)?;
+        let mut notes = vec![Fault { sentence: record.note.clone(), ..Fault::default() }];
+        notes.extend(unread(&names, 0, &columns, &mapping));
+        let mut reading = Reading::new(String::new(), columns, notes, &mapping);
+        let mut last = 0;
+        for (numbers, line) in record.rows() {
+            reading.row(Cells::Numbers(numbers), line)?;
+            last = line;
+        }
+        reading.finish(last)
+    }
+
+    fn of_table(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
+        for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
+            check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
+        }
+        let comment = mapping.comment.as_bytes().first().copied().unwrap_or(b'#');
+        // The reader takes a comment without a line end, which can only be the last line, for a row.
+        let last = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+        let text = if text[last..].starts_with(&[comment]) { &text[..last] } else { text };
+        let with_single_blanks =
+            if mapping.separator == Separator::Blanks { single_blanks(text)? } else { Vec::new() };
+        let text = if with_single_blanks.is_empty() { text } else { &with_single_blanks };
+        let mut rows = TextRows { reader: reader(text, mapping.separator, Some(comment)), text, comment };
+        let mut row = StringRecord::new();
+        let line = rows.header(mapping, &mut row)?;
+        let has_names = mapping.header > 0;
+        let names = if has_names { names_of(&row, mapping.separator) } else { row.clone() };
+        let columns = columns(&names, line, mapping)?;
+        let notes = if has_names { unread(&names, line, &columns, mapping) } else { Vec::new() };
+        let only = only_place(&names, line, mapping)?;
+        let mut reading = Reading::new(title(text, comment), columns, notes, mapping);
+        let header = Header {
+            names: has_names.then(|| row.clone()),
+            width: names.len(),
+            is_foreign: mapping.is_foreign(),
+        };
+        // Without names the first row is one of values.
+        let mut next = if has_names { rows.next(&mut row)? } else { Some(line) };
+        let mut to_skip = mapping.skip;
+        while let Some(line) = next {
+            if to_skip > 0 {
+                to_skip -= 1;
+            } else if !header.passes(&row) {
+                header.check_width(&row, line)?;
+                match only.is_none_or(|place| row.get(place) == Some(&mapping.only)) {
+                    true => reading.row(Cells::Texts(&row), line)?,
+                    false => reading.others += 1,
+                }
+            }
+            next = rows.next(&mut row)?;
+        }
+        reading.finish(text.iter().filter(|byte| **byte == b'\n').count() as u64)
+    }
+}
+
+/// The mapping as a log keeps it.
+pub fn kept(mapping: &LogMapping) -> Option<Box<LogMapping>> {
+    (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone()))
+}
+
+/// The rows of a text.
+struct TextRows<'t> {
+    reader: csv::Reader<&'t [u8]>,
+    text: &'t [u8],
+    comment: u8,
+}
+
+impl TextRows<'_> {
+    /// Reads the next row, and gives its line; `None` at the end.
+    fn next(&mut self, row: &mut StringRecord) -> Result<Option<u64>, LogError> {
+        next_row(&mut self.reader, self.text, self.comment, row)
+    }
+
+    /// Reads the row of the names, or the first of the values of a table without them, and gives its line.
+    fn header(&mut self, mapping: &LogMapping, row: &mut StringRecord) -> Result<u64, LogError> {
+        let first = loop {
+            match self.next(row)? {
+                Some(line) if line < mapping.header => {}
+                first => break first,
+            }
+        };
+        let expected = "as time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
+        let none = || fault(1, 1, format!("no header: expected the names of the columns, {expected}"));
+        let line = first.ok_or_else(none)?;
+        if row.len() > MAX_COLUMNS {
+            return Err(fault(line, 1, format!("{} columns: a log has at most {MAX_COLUMNS}", row.len())));
+        }
+        Ok(line)
+    }
+}
+
+/// What the rows of a table are compared with.
+struct Header {
+    /// The row of the names, if there is one.
+    names: Option<StringRecord>,
+    /// Number of columns.
+    width: usize,
+    /// Whether the table is another than one of the library's own.
+    is_foreign: bool,
+}
+
+impl Header {
+    /// Whether a row of a foreign table is passed over: a recorder that begins anew writes the names anew; a line of blanks has one cell.
+    fn passes(&self, row: &StringRecord) -> bool {
+        let is_blank = || row.len() < self.width && row.iter().all(str::is_empty);
+        self.is_foreign && (is_blank() || self.names.as_ref() == Some(row))
+    }
+
+    /// Rejects a row with more fields than columns. Decimal commas do this: each value is cut in two, and what stands behind it moves to
+    /// the next column.
+    fn check_width(&self, row: &StringRecord, line: u64) -> Result<(), LogError> {
+        let width = self.width;
+        if row.iter().skip(width).all(|field| self.is_foreign && field.is_empty()) {
+            return Ok(());
+        }
+        let sentence =
+            format!("{} fields, and the header names {width} columns; are there decimal commas?", row.len());
+        Err(fault(line, width + 1, sentence))
+    }
+}
+
+/// The comment with which a log begins.
+fn title(text: &[u8], comment: u8) -> String {
+    let mark = char::from(comment);
+    let first = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    let first = String::from_utf8_lossy(first);
+    let comment = first.strip_prefix(mark).unwrap_or_default();
+    comment.trim_start_matches(mark).trim().chars().filter(|letter| !letter.is_control()).take(160).collect()
+}
