@@ -43,7 +43,7 @@ type Files = [String; GROUPS.len()];
 #[derive(Debug, Clone, PartialEq)]
 pub enum FilesError<E> {
     /// A file has a fault: its name, which is empty for the log itself.
-    Of(String, LogError),
+    Of(String, Box<LogError>),
     /// The program cannot read a file.
     Unread(E),
 }
@@ -270,7 +270,7 @@ impl FlightLog {
         mapping: &LogMapping,
         mut read: impl FnMut(&str) -> Result<Vec<u8>, E>,
     ) -> Result<Self, FilesError<E>> {
-        let of_log = |error| FilesError::Of(String::new(), error);
+        let of_log = |error| FilesError::Of(String::new(), Box::new(error));
         let files = files(mapping).map_err(of_log)?;
         let mut names: Vec<&String> = files.iter().filter(|file| !file.is_empty()).collect();
         names.sort();
@@ -293,7 +293,7 @@ impl FlightLog {
         let mut others = Vec::new();
         for name in names {
             let text = read(name).map_err(FilesError::Unread)?;
-            let of_other = |error| FilesError::Of(name.clone(), error);
+            let of_other = |error| FilesError::Of(name.clone(), Box::new(error));
             let (other, part) = parse(&text, name).map_err(of_other)?;
             notes.extend(notes_of(name, &other));
             others.push(Other::new(name, other, &part, log.samples[0].time_s, &files).map_err(of_other)?);

@@ -69,6 +69,15 @@ class Flights(unittest.TestCase):
                 self.same(run, program(str(scene), *(["--hours", "1"] if hours else [])))
                 self.assertEqual(len(run.position_error_m), len(run))
 
+    def test_a_flight_record_flies_as_by_the_program(self):
+        point = '<trkpt lat="{}" lon="{}"><ele>{}</ele><time>2026-07-25T12:{:02}:{:02}Z</time></trkpt>'
+        points = "".join(point.format(48 + 1e-4 * k, 11 + 1e-6 * k * k, 500 + k, k // 60, k % 60) for k in range(120))
+        with tempfile.TemporaryDirectory() as folder:
+            record = pathlib.Path(folder) / "track.gpx"
+            record.write_text(f'<gpx version="1.1"><trk><trkseg>{points}</trkseg></trk></gpx>')
+            run = sins.fly(record, gyro="tactical", every_s=1)
+            self.same(run, program(str(record), "--set", "gyro.preset=tactical", "--set", "output.every_s=1"))
+
     def test_a_trajectory_flies_as_the_log(self):
         flown = PROJECT / "c_examples/flights/fighter_aerobatics.csv"
         frame = log(flown.name)

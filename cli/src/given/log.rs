@@ -38,8 +38,8 @@ pub fn parse_log(path: &Path, bytes: &[u8], mapping: &LogMapping) -> Result<Read
     match FlightLog::parse_files(bytes, mapping, read) {
         Ok(log) => Ok(ReadLog { log, others }),
         Err(FilesError::Unread(failure)) => Err(failure),
-        Err(FilesError::Of(name, error)) if name.is_empty() => Err(unread(path, bytes, mapping, error)),
-        Err(FilesError::Of(name, error)) => Err(of_log(&path.with_file_name(name), error)),
+        Err(FilesError::Of(name, error)) if name.is_empty() => Err(unread(path, bytes, mapping, *error)),
+        Err(FilesError::Of(name, error)) => Err(of_log(&path.with_file_name(name), *error)),
     }
 }
 

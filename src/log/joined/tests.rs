@@ -21,15 +21,14 @@ fn joined(files: &[(&str, String)], keys: &str) -> Result<(FlightLog, String), S
         let file = files.iter().find(|(known, _)| *known == name);
         file.map(|(_, text)| text.as_bytes().to_vec()).ok_or(format!("{name}: is not here"))
     };
-    let log =
-        FlightLog::parse_files(files[0].1.as_bytes(), &scene.log, read).map_err(|error| match error {
-            FilesError::Unread(sentence) => sentence,
-            FilesError::Of(name, LogError::Fault(Fault { line, sentence, .. })) => {
-                let name = if name.is_empty() { "POS.csv" } else { &name };
-                if line > 0 { format!("{name}:{line}: {sentence}") } else { format!("{name}: {sentence}") }
-            }
-            FilesError::Of(_, LogError::Memory(error)) => panic!("{error}"),
-        })?;
+    let log = FlightLog::parse_files(files[0].1.as_bytes(), &scene.log, read).map_err(|error| {
+        let (name, error) = match error {
+            FilesError::Unread(sentence) => return sentence,
+            FilesError::Of(name, error) => (if name.is_empty() { "POS.csv".to_owned() } else { name }, error),
+        };
+        let LogError::Fault(Fault { line, sentence, .. }) = *error else { panic!("{error:?}") };
+        if line > 0 { format!("{name}:{line}: {sentence}") } else { format!("{name}: {sentence}") }
+    })?;
     assert_eq!(names, [files[1].0]);
     let notes: Vec<&str> = log.notes().iter().map(|note| note.sentence.as_str()).collect();
     let notes = notes.join("; ");
