@@ -109,6 +109,7 @@ impl Judge {
     }
 
     /// The step of which all heights are multiples [m]; 0: none.
+    #[cfg(feature = "scenes")]
     pub(crate) fn height_step_m(&self) -> f64 {
         self.resolution.steps_m[2]
     }
