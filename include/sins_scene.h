@@ -39,11 +39,14 @@ typedef struct sins_fault {
     uint32_t flags;
     /** Number of faults that are reported: at most the first 200 of the text. */
     uint64_t count;
-    /** Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call. */
+    /**
+     * Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call, or in a flight
+     * record as a whole.
+     */
     uint64_t line;
     /**
-     * Column, in characters from 1. For a flight log: number of the column of the table, from 1. 0: the same meaning as 0 in
-     * line.
+     * Column, in characters from 1. For a flight log: number of the column of the table, from 1; 1 for a flight record. 0: the same
+     * meaning as 0 in line.
      */
     uint64_t column;
     /** The value at fault, in the unit of the key that path names. */
@@ -546,7 +549,8 @@ typedef struct sins_log_info {
  * sample, and room for the text if it is not UTF-8.
  *
  * The text may also be a flight record: IGC, GPX 1.0 or 1.1, or FDR version 4 of X-Plane. Its path is smoothed; its attitude is that of
- * the FDR, of the [log], or else that of a coordinated flight without wind. It allocates about 200 bytes a fix more.
+ * the FDR, of the [log], or else that of a coordinated flight without wind. Its samples are those of the path, 50 a second unless the
+ * scene sets log.smooth_rate_hz, and several have the line of one fix. While it is fitted it allocates some KB a fix more.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
  * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.

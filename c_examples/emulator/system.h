@@ -43,7 +43,7 @@ inline std::wstring ask_file(HWND owner, bool save, const std::string &filter, c
     WCHAR path[32768] = L"";
     std::wstring pairs = text(filter) + L'\0';
     DWORD flags = OFN_NOCHANGEDIR | OFN_HIDEREADONLY | (save ? OFN_OVERWRITEPROMPT : OFN_FILEMUSTEXIST);
-    std::replace(pairs.begin(), pairs.end(), L';', L'\0');
+    std::replace(pairs.begin(), pairs.end(), L'|', L'\0');
     lstrcpynW(path, proposal.c_str(), 32768);
     OPENFILENAMEW ask = {.lStructSize = sizeof ask, .hwndOwner = owner, .lpstrFilter = pairs.c_str(), .lpstrFile = path,
                          .nMaxFile = 32768, .Flags = flags, .lpstrDefExt = ending};

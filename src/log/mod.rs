@@ -92,7 +92,9 @@ impl LogError {
     }
 }
 
+/// A fault at its place; `line` 0: of the log as a whole.
 fn fault(line: u64, column: usize, sentence: String) -> LogError {
+    let column = if line == 0 { 0 } else { column };
     LogError::Fault(Fault { line: line as usize, column, sentence, ..Fault::default() })
 }
 

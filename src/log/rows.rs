@@ -13,7 +13,7 @@ use super::{LogError, LogMapping, MAX_LINE, Separator, fault};
 use crate::base::error::Error;
 use crate::base::math::{Euler, attitude_from_euler, euler_from_attitude, rotate, sin_cos};
 use crate::base::memory::room;
-use crate::base::text::excerpt;
+use crate::base::text::{Fault, excerpt};
 use crate::earth::Geodetic;
 use crate::truth::FlightSample;
 
@@ -190,7 +190,11 @@ impl Table<'_> {
             return Ok(None);
         }
         let sample = self.of_values(&values);
-        sample.validate().map_err(|error| out_of_range(&error, line, &self.columns))?;
+        sample.validate().map_err(|error| match (out_of_range(&error, line, &self.columns), cells) {
+            // A record has no columns.
+            (LogError::Fault(found), Cells::Numbers(_)) => LogError::Fault(Fault { column: 1, ..found }),
+            (found, _) => found,
+        })?;
         Ok(Some(sample))
     }
 

@@ -50,6 +50,11 @@ impl Scene {
             let what = "the log was not read by the [log] of the scene; read it with the scene";
             return Err(Error::bad_state(what));
         }
+        if log.is_to_be_smoothed() {
+            return Err(Error::bad_state(
+                "the path of the log is still to be smoothed; read the log with the scene",
+            ));
+        }
         if let Some(temperature) = &self.temperature
             && log.samples()[0].temperature_c.is_some()
         {

@@ -159,15 +159,29 @@ fn what_no_record_has_is_rejected() {
     }
     let deep = format!("<gpx>{}", "<a>".repeat(100_000));
     let long_name = format!("<gpx><{}>", "a".repeat(100_000));
+    let long_prefix = format!("<gpx><{}:a>", "a".repeat(100_000));
+    let long_end = format!("<gpx></{}>", "a".repeat(100_000));
     let long_text = format!("<gpx><trkpt lat=\"1\" lon=\"1\"><time>{}", "1".repeat(100_000));
     for (text, what) in [
         (deep, "expected at most 64 elements in one another"),
         (long_name, "names of at most 256 bytes"),
+        (long_prefix, "names of at most 256 bytes"),
+        (long_end, "expected XML: "),
         (long_text, "has at most 256 bytes"),
     ] {
         let (line, sentence) = parsed(&text, "").unwrap_err();
-        assert!(line == 1 && sentence.contains(what), "{sentence}");
+        assert!(line == 1 && sentence.contains(what) && sentence.len() < 400, "{sentence}");
     }
+    // The path between few fixes is long by their stamps alone.
+    let days = (0..24).fold("A\n4\nCOMM, days\n".to_owned(), |text, k| {
+        format!("{text}{},{},48.1,2900,90,2,-1.5\n", 100_000 * k, 11.3 + 0.01 * f64::from(k))
+    });
+    let (_, sentence) = parsed(&days, "").unwrap_err();
+    assert!(sentence.contains("must be from 1 to 1096000"), "{sentence}");
+    // The column of a fault is that of a table.
+    let far = fdr().replacen("2925,", "1e300,", 1);
+    let Err(LogError::Fault(found)) = FlightLog::parse(far.as_bytes()) else { panic!("{far}") };
+    assert_eq!((found.line, found.column), (4, 1), "{}", found.sentence);
 }
 
 /// A log that was read as one mapping says is not flown by a scene of another, also of a record.
@@ -177,5 +191,7 @@ fn a_scene_flies_the_record_that_it_read() {
     let (plain, other) = (scene(""), scene("[log]\ngeoid = 45\n"));
     let Ok(log) = plain.read_log(igc().as_bytes()) else { panic!() };
     assert!(plain.samples(Some(&log)).is_ok() && other.samples(Some(&log)).is_err());
+    // Its rows are no path, and have no attitude.
+    assert!(plain.samples(Some(&FlightLog::parse(igc().as_bytes()).unwrap())).is_err());
     assert!(matches!(plain.read_log(b"<gpx></gpx>"), Err(LogError::Fault(_))));
 }

@@ -17,10 +17,11 @@ pub struct sins_fault {
     pub flags: u32,
     /// Number of faults that are reported: at most the first 200 of the text.
     pub count: u64,
-    /// Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call.
+    /// Line of this fault in the text of the call, from 1; 0: the fault is in a value that the scene had before the call, or in a flight
+    /// record as a whole.
     pub line: u64,
-    /// Column, in characters from 1. For a flight log: number of the column of the table, from 1. 0: the same meaning as 0 in
-    /// line.
+    /// Column, in characters from 1. For a flight log: number of the column of the table, from 1; 1 for a flight record. 0: the same
+    /// meaning as 0 in line.
     pub column: u64,
     /// The value at fault, in the unit of the key that path names.
     pub value: f64,

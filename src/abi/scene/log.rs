@@ -65,7 +65,8 @@ const ROOM: usize = 1 << 20;
 /// sample, and room for the text if it is not UTF-8.
 ///
 /// The text may also be a flight record: IGC, GPX 1.0 or 1.1, or FDR version 4 of X-Plane. Its path is smoothed; its attitude is that of
-/// the FDR, of the [log], or else that of a coordinated flight without wind. It allocates about 200 bytes a fix more.
+/// the FDR, of the [log], or else that of a coordinated flight without wind. Its samples are those of the path, 50 a second unless the
+/// scene sets log.smooth_rate_hz, and several have the line of one fix. While it is fitted it allocates some KB a fix more.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
 /// sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.

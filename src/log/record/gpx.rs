@@ -4,7 +4,7 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 use super::{Record, left_out};
-use crate::base::memory::room_for_one_more;
+use crate::base::memory::{room, room_for_one_more};
 use crate::base::text::excerpt;
 use crate::log::{Clock, LogError, LogMapping, TimeFormat, fault};
 
@@ -12,6 +12,9 @@ use crate::log::{Clock, LogError, LogMapping, TimeFormat, fault};
 const MAX_DEPTH: usize = 64;
 const MAX_NAME: usize = 256;
 const MAX_TEXT: usize = 256;
+
+/// Copies of one name that the reader may have at once.
+const QUOTES: usize = 4;
 
 /// A point of a track, while it is read.
 #[derive(Default)]
@@ -45,6 +48,8 @@ struct Fixes {
 
 /// The rows of a text.
 pub fn record(text: &str) -> Result<Record, LogError> {
+    // The reader keeps names, and quotes them in its errors.
+    drop(room::<u8>(QUOTES * text.len()).map_err(LogError::Memory)?);
     let Fixes { found, without_time, segments, .. } = fixes(text.as_bytes())?;
     if found.is_empty() {
         let what = "no track: expected trkpt with lat, lon and time, found";
@@ -89,18 +94,21 @@ fn fixes(file: &[u8]) -> Result<Fixes, LogError> {
         counted_to = at;
         let event = reader.read_event().map_err(|error| {
             let at = (reader.error_position() as usize).clamp(counted_to, file.len());
-            fault(line + newlines(&file[counted_to..at]), 1, format!("expected XML: {error}"))
+            fault(
+                line + newlines(&file[counted_to..at]),
+                1,
+                format!("expected XML: {}", excerpt(&error.to_string())),
+            )
         })?;
         match event {
             Event::Start(element) => {
-                let name = element.local_name();
-                if open.len() >= MAX_DEPTH || name.as_ref().len() > MAX_NAME {
+                if open.len() >= MAX_DEPTH || element.name().as_ref().len() > MAX_NAME {
                     let sentence = format!(
                         "expected at most {MAX_DEPTH} elements in one another, with names of at most {MAX_NAME} bytes"
                     );
                     return Err(fault(line, 1, sentence));
                 }
-                let name = String::from_utf8_lossy(name.as_ref()).into_owned();
+                let name = String::from_utf8_lossy(element.local_name().as_ref()).into_owned();
                 if name == "trkseg" {
                     is_in_new_segment = true;
                 }
@@ -188,7 +196,9 @@ fn newlines(text: &[u8]) -> u64 {
 
 /// An attribute of a point [deg].
 fn angle(element: &BytesStart<'_>, name: &str, largest_deg: f64) -> Result<f64, String> {
-    let attribute = element.try_get_attribute(name).map_err(|error| format!("expected XML: {error}"))?;
+    let attribute = element
+        .try_get_attribute(name)
+        .map_err(|error| format!("expected XML: {}", excerpt(&error.to_string())))?;
     let expected = format!("expected its {name}, from -{largest_deg} to {largest_deg} degrees");
     let Some(attribute) = attribute else { return Err(expected) };
     let text = String::from_utf8_lossy(&attribute.value);
