@@ -128,6 +128,12 @@ SINS_API uint32_t SINS_CALL sins_abi_version(void);
 /** Returns the release of the loaded library as text, such as "0.1.0". The text lives as long as the library is loaded. */
 SINS_API const char *SINS_CALL sins_version_string(void);
 
+/** A release as one number, for the preprocessor: `#if SINS_VERSION_NUM(0, 2, 0) <= SINS_VERSION`. Each part is below 1000. */
+#define SINS_VERSION_NUM(major, minor, patch) (((major) * 1000 + (minor)) * 1000 + (patch))
+
+/** This release as one number. */
+#define SINS_VERSION SINS_VERSION_NUM(SINS_VERSION_MAJOR, SINS_VERSION_MINOR, SINS_VERSION_PATCH)
+
 /*
  * Statuses. A function that can fail returns a sins_status, and gives data through pointers. A function that cannot fail
  * returns its value directly. Test for errors by status < 0. After an error nothing has changed: no state, no output, and no

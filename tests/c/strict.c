@@ -6,6 +6,12 @@
 #endif
 #include "../../c_examples/sins_loader.h"
 
+#if SINS_VERSION != SINS_VERSION_NUM(SINS_VERSION_MAJOR, SINS_VERSION_MINOR, SINS_VERSION_PATCH) \
+    || SINS_VERSION / 1000000 != SINS_VERSION_MAJOR || SINS_VERSION_NUM(0, 9, 999) >= SINS_VERSION_NUM(0, 10, 0) \
+    || SINS_VERSION_NUM(0, 999, 999) >= SINS_VERSION_NUM(1, 0, 0)
+#error "releases are not in order"
+#endif
+
 int main(int count, char **arguments)
 {
     sins_loader sins;
