@@ -50,9 +50,8 @@ finds() {
 # build takes too long.
 library() {
     local status=0
-    RUSTFLAGS="-Zsanitizer=$1" timeout "$longest_build_s" cargo "+$nightly" rustc --quiet --lib --crate-type "$2" \
-        --target "$target" --target-dir target/sanitizers --features fault-injection --config profile.dev.opt-level=1 \
-        "${@:3}" || status=$?
+    RUSTFLAGS="-Zsanitizer=$1 --cfg sins_fault_injection" timeout "$longest_build_s" cargo "+$nightly" rustc --quiet --lib \
+        --crate-type "$2" --target "$target" --target-dir target/sanitizers --config profile.dev.opt-level=1 "${@:3}" || status=$?
     if [ "$status" -eq 124 ]; then
         could_not "the $1 sanitizer" "its build took more than $longest_build_s s"
         return 1

@@ -1,4 +1,4 @@
-//! A defect on demand, for `tests/c/panic.c`: in builds with the feature `fault-injection` alone, and not in the header.
+//! A defect on demand, for `tests/c/panic.c`: in builds with `--cfg sins_fault_injection` alone, and not in the header.
 
 use super::boundary::enter_without_simulator;
 use super::failure::sins_status;

@@ -30,7 +30,7 @@ mod ensemble_read;
 mod ensemble_snapshot;
 mod errors;
 mod failure;
-#[cfg(feature = "fault-injection")]
+#[cfg(sins_fault_injection)]
 mod fault;
 mod flight;
 mod imu;
@@ -73,7 +73,7 @@ pub use ensemble_read::*;
 pub use ensemble_snapshot::*;
 pub use errors::*;
 pub use failure::*;
-#[cfg(feature = "fault-injection")]
+#[cfg(sins_fault_injection)]
 pub use fault::sins_inject_panic;
 pub use flight::*;
 pub use imu::*;

@@ -9,7 +9,7 @@
 #include "allocator.h"
 #include "every_call.h"
 
-/* A function of a library that was built with the feature fault-injection. */
+/* A function of a library that was built with --cfg sins_fault_injection. */
 sins_status sins_inject_panic(sins_sim *sim);
 
 enum { THREADS = 8 };
