@@ -68,3 +68,23 @@ impl FirstGeneration {
 fn time_mark() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos() as u64
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every kind and slot, with the first and the last generations: a key gives back what it is made of, so no two are equal.
+    #[test]
+    fn a_key_gives_back_its_kind_slot_and_generation() {
+        for generation in [0, 1, LOWEST_GENERATION, LAST_GENERATION / 2, LAST_GENERATION - 1, LAST_GENERATION]
+        {
+            for slot in 0..SLOTS {
+                for kind in 0..1 << KIND_BITS {
+                    let key = key_of(generation, slot, kind);
+                    assert_eq!((kind_of(key), slot_of(key)), (kind, slot), "{generation}");
+                    assert_eq!(key >> (SLOT_BITS + KIND_BITS), generation);
+                }
+            }
+        }
+    }
+}

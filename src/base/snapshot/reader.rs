@@ -97,3 +97,69 @@ impl<'a> Reader<'a> {
         Error { value: None, ..self.refused(0.0, rule) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::envelope::{HEADER_BYTES, seal};
+    use super::super::writer::Writer;
+    use super::*;
+
+    const OF: SnapshotOf = SnapshotOf::Unit;
+
+    /// A sealed snapshot of one group: each word has its least value for its size, or `below` that.
+    fn group(sizes: u16, below: u64) -> Vec<u8> {
+        let mut bytes = vec![0; HEADER_BYTES];
+        bytes.extend(sizes.to_le_bytes());
+        for place in 0..GROUP {
+            match sizes >> (2 * place) & 3 {
+                BYTE => bytes.push((1 - below) as u8),
+                WHOLE => bytes.extend((256 - below).to_le_bytes()),
+                _ => {}
+            }
+        }
+        seal(&mut bytes, OF);
+        bytes
+    }
+
+    fn words(snapshot: &[u8]) -> Result<[u64; GROUP], Error> {
+        Reader::read(snapshot, OF, |from| {
+            let mut words = [0; GROUP];
+            for word in &mut words {
+                *word = from.word()?;
+            }
+            Ok(words)
+        })
+    }
+
+    /// Every header of a group: it is rejected, or its words are written back as the same bytes.
+    #[test]
+    fn every_header_of_a_group_is_read_or_rejected() {
+        for sizes in 0..=u16::MAX {
+            let codes = [0, 1, 2, 3, 4, 5, 6, 7].map(|place| sizes >> (2 * place) & 3);
+            let snapshot = group(sizes, 0);
+            let Ok(words) = words(&snapshot) else {
+                assert!(codes.contains(&3), "{sizes:04x}");
+                continue;
+            };
+            assert_eq!(words, codes.map(|code| [0, 1, 256][usize::from(code)]));
+            let mut again = vec![0; snapshot.len()];
+            let mut writer = Writer::new(&mut again, OF);
+            words.iter().for_each(|word| writer.word(*word));
+            assert_eq!((writer.finish(), again), (snapshot.len(), snapshot), "{sizes:04x}");
+        }
+    }
+
+    /// No word has a second form, and nothing follows the last.
+    #[test]
+    fn every_header_of_longer_forms_is_rejected() {
+        for sizes in 1..=u16::MAX {
+            assert!(words(&group(sizes, 1)).is_err(), "{sizes:04x}");
+        }
+        for bytes in 1..20 {
+            let mut snapshot = group(0, 0);
+            snapshot.extend(vec![0; bytes]);
+            seal(&mut snapshot, OF);
+            assert!(words(&snapshot).is_err(), "{bytes}");
+        }
+    }
+}
