@@ -13,7 +13,12 @@
 
 What flies is a built-in scene by its name, a file (scene.toml, log.csv, flight.igc), the text of a scene, or a `Trajectory`. Settings are sections of
 a scene with its keys, in the units of data sheets; `sins keys` of the program lists them. Errors are `sins.Error`, with the sentence of
-the library. Arrays are of numpy, in SI units and radians; axes are east, north, up.
+the library. Arrays are of numpy, in SI units and radians, unless a name ends in another unit.
+
+Frames. Vectors of position, velocity and misalignment are along east, north, up. Roll is positive right wing down, pitch nose up, heading
+clockwise from true north, rotated in the order heading, pitch, roll. Latitude is geodetic, height is above the ellipsoid.
+Signals of the sensors are along the sensor block: right, forward, up, unless a scene sets `options.axes` or a boresight.
+Errors are computed less true.
 
 `sins.c` is the interface in C, name by name. This module imports numpy and the library with the first use of what it has.
 """

@@ -97,7 +97,7 @@ impl Flight {
     /// Replaces the sensor errors and failures by those of `scene`.
     fn retune(&mut self, scene: &Scene) -> Result<(), Error> {
         let mut play = self.play.clone();
-        let before = self.play.course().scene();
+        let before = self.play.itinerary().scene();
         let simulator = play.simulator_mut();
         if scene.errors.gyro != before.errors.gyro {
             simulator.set_gyro(&scene.errors.gyro)?;

@@ -36,7 +36,7 @@ pub unsafe extern "C-unwind" fn fmi2DoStep(
                 component.logger.say(Category::Warning, fmi2Warning, &text);
             }
             if let (Some(sample), Some(flight)) = (&sample, &component.instance.flight) {
-                for text in component.watch.push(flight.play.course().scene(), sample) {
+                for text in component.watch.push(flight.play.itinerary().scene(), sample) {
                     component.logger.say(Category::Warning, fmi2Warning, &text);
                 }
             }

@@ -38,7 +38,7 @@ pub(crate) use list::key_line;
 pub use list::{KeyKind, KeyLine, key_of_field, keys, keys_text};
 pub use panel::{Action, PlannedAction, UnitPlan};
 pub(crate) use play::shown;
-pub use play::{Course, Play, Shown, Source, Spacing, Stopped};
+pub use play::{Itinerary, Play, Shown, Source, Spacing, Stopped};
 pub(crate) use read::utf8;
 pub use samples::Samples;
 pub use schedule::FliesScene;

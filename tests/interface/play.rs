@@ -260,7 +260,7 @@ fn records_by_calls(given: &Given) -> (Vec<Vec<u64>>, Option<(usize, String)>) {
     let (mut due, mut index) = (Vec::new(), 0);
     let error = loop {
         match play.fly_next() {
-            Ok(Some(_)) if play.course().is_due() => due.push(index),
+            Ok(Some(_)) if play.itinerary().is_due() => due.push(index),
             Ok(Some(_)) => {}
             Ok(None) => break None,
             Err(stopped) => break Some((index, stopped.to_string())),

@@ -11,20 +11,20 @@ use crate::progress::Progress;
 /// Rate at which sensors with errors are flown [Hz]; the nearest rate of the scene is used.
 const RATE_HZ: f64 = 100.0;
 
-/// A grade of sensors.
+/// Gyros and accelerometers of a grade.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Grade {
+pub struct SensorPair {
     pub name: &'static str,
     gyro: TriadParameters,
     accel: TriadParameters,
 }
 
 /// Navigation and tactical grade, which are presets of the library. Each run draws its own biases.
-pub fn grades() -> [Grade; 2] {
+pub fn grades() -> [SensorPair; 2] {
     [("navigation", sensors::Grade::Navigation), ("tactical", sensors::Grade::Tactical)].map(
         |(name, grade)| {
             let (gyro, accel) = grade.parameters();
-            Grade { name, gyro, accel }
+            SensorPair { name, gyro, accel }
         },
     )
 }
@@ -43,7 +43,7 @@ pub fn effects(pieces: &Pieces, runs: u64) -> Result<[f64; 2], Refusal> {
         (_, None) => None,
     };
     let Some((scene, rate, samples, instants)) = flown else { return Ok([0.0; 2]) };
-    let ideal = Grade { name: "ideal", gyro: Default::default(), accel: Default::default() };
+    let ideal = SensorPair { name: "ideal", gyro: Default::default(), accel: Default::default() };
     let [navigation, tactical] = grades();
     let mut flights = vec![(ideal, 0)];
     flights.extend((1..=runs).map(|run| (navigation, run)).chain((1..=runs).map(|run| (tactical, run))));

@@ -67,18 +67,18 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let own = [&page, &table_file, &points_file, &scenes_file].into_iter().chain(&pictures);
     let paths: Vec<PathBuf> = own.map(|file| file.path().to_owned()).collect();
 
-    let (mut surveys, mut courses) = (Vec::new(), Vec::new());
+    let (mut surveys, mut works) = (Vec::new(), Vec::new());
     let scenes = embedded.iter().map(|embedded| embedded.scene(effort.duration_s).map(Pieces::whole));
     for pieces in scenes.chain(given.iter().map(|given| own::scene(given, &effort))) {
         let pieces: Pieces = pieces?;
         if let Some(scene) = pieces.scenes.first() {
             say(&format!("{}: {}{}", scene.name, scene.title, pieces.text()));
         }
-        let (survey, course) = Survey::flown(&pieces, &effort)?;
+        let (survey, work) = Survey::flown(&pieces, &effort)?;
         surveys.push(survey);
-        courses.push(course);
+        works.push(work);
     }
-    let costs = timing::costs(&courses, effort.rounds)?;
+    let costs = timing::costs(&works, effort.rounds)?;
     let mut finished = Vec::new();
     for ((survey, costs), picture) in surveys.iter_mut().zip(costs).zip(pictures) {
         survey.set_costs(&costs);

@@ -7,7 +7,7 @@ use super::configuration::Configuration;
 use super::matrix::Outcome;
 use super::reference::Judgement;
 use super::scene::{CurveScene, Pieces, Rate};
-use super::timing::Course;
+use super::timing::TimedWork;
 use super::{grades, matrix};
 use crate::failure::Failure;
 
@@ -82,9 +82,9 @@ impl Point {
 }
 
 impl Survey {
-    /// Flies all configurations on `pieces`. Returns their errors, the largest that a piece predicts for the whole scene, and the course
+    /// Flies all configurations on `pieces`. Returns their errors, the largest that a piece predicts for the whole scene, and the work
     /// that is still to be timed.
-    pub fn flown(pieces: &Pieces, effort: &Effort) -> Result<(Self, Course), Failure> {
+    pub fn flown(pieces: &Pieces, effort: &Effort) -> Result<(Self, TimedWork), Failure> {
         let scene = pieces.scenes.first().ok_or_else(|| Failure::new("a scene without a piece"))?;
         // A scene that is flown whole has its own errors.
         let growths = if pieces.scenes.len() > 1 { pieces.growths()? } else { Vec::new() };
@@ -117,7 +117,7 @@ impl Survey {
             }
         }
         let candidates = outcomes.iter().filter(|(_, _, outcome)| outcome.is_ok());
-        let course = Course::new(scene, candidates.map(|(rate, which, _)| (*rate, *which)).collect());
+        let work = TimedWork::new(scene, candidates.map(|(rate, which, _)| (*rate, *which)).collect());
         let point = |(rate, configuration, outcome): (Rate, Configuration, Outcome)| Point {
             configuration,
             rate_hz: rate.hz,
@@ -138,10 +138,10 @@ impl Survey {
             sensors_m: grades::effects(pieces, effort.sensor_runs)?,
             warnings: scene.warnings.clone(),
         };
-        Ok((survey, course))
+        Ok((survey, work))
     }
 
-    /// Sets the costs, which are in the order of the course.
+    /// Sets the costs, which are in the order of the work.
     pub fn set_costs(&mut self, costs: &[f64]) {
         let measured = self.points.iter_mut().filter_map(|point| point.measured.as_mut().ok());
         for (measured, cost_ns) in measured.zip(costs) {

@@ -20,30 +20,30 @@ const WARM_UP: usize = 8;
 const TIMED: usize = 64;
 
 /// Work that is to be timed on a scene: configurations and rates on stretches of its samples.
-pub struct Course {
+pub struct TimedWork {
     base: Options,
     stretches: Vec<(Rate, Vec<Vec<FlightSample>>)>,
     candidates: Vec<(Rate, Configuration)>,
 }
 
-impl Course {
+impl TimedWork {
     pub fn new(scene: &CurveScene, candidates: Vec<(Rate, Configuration)>) -> Self {
         let at = |rate: &Rate| (*rate, stretches(&scene.samples_at(rate)));
         Self { base: scene.base, stretches: scene.rates.iter().map(at).collect(), candidates }
     }
 }
 
-/// Time that each candidate of each course takes for a simulated second [ns], median over `rounds`.
-pub fn costs(courses: &[Course], rounds: usize) -> Result<Vec<Vec<f64>>, Error> {
+/// Time that each candidate of each work takes for a simulated second [ns], median over `rounds`.
+pub fn costs(works: &[TimedWork], rounds: usize) -> Result<Vec<Vec<f64>>, Error> {
     let mut times: Vec<Vec<Vec<f64>>> =
-        courses.iter().map(|course| vec![Vec::with_capacity(rounds); course.candidates.len()]).collect();
-    let progress = Progress::counting("timing all of them in turns", rounds * courses.len());
+        works.iter().map(|work| vec![Vec::with_capacity(rounds); work.candidates.len()]).collect();
+    let progress = Progress::counting("timing all of them in turns", rounds * works.len());
     for _ in 0..rounds {
-        for (course, times) in courses.iter().zip(&mut times) {
-            for ((rate, configuration), times) in course.candidates.iter().zip(times) {
-                let own = course.stretches.iter().filter(|(other, _)| other == rate);
+        for (work, times) in works.iter().zip(&mut times) {
+            for ((rate, configuration), times) in work.candidates.iter().zip(times) {
+                let own = work.stretches.iter().filter(|(other, _)| other == rate);
                 times.push(time(
-                    &rate.applied_to(&configuration.options(&course.base)),
+                    &rate.applied_to(&configuration.options(&work.base)),
                     rate.hz,
                     own.flat_map(|(_, stretches)| stretches),
                 )?);

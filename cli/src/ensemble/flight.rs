@@ -107,11 +107,11 @@ impl<'a> Work<'a> {
         }
         let mut ensemble = Ensemble::new(&given.scene.simulator()?[0], first_run, runs as usize)?;
         let mut part = Part::new(plan, piece);
-        let mut course = given.course()?;
+        let mut itinerary = given.itinerary()?;
         let mut instants = plan.instants.iter().copied().peekable();
         let mut beyond = BeyondRange::of(&given.scene, runs);
         for index in 0..given.count {
-            let taken = course.take(&mut ensemble, &given.sample(index)?);
+            let taken = itinerary.take(&mut ensemble, &given.sample(index)?);
             taken.map_err(|error| given.stopped_at(index, &error))?;
             if index > 0 {
                 ensemble.step().map_err(|error| given.stopped_at(index, &error))?;

@@ -134,7 +134,7 @@ pub struct InFlight {
 impl InFlight {
     /// `play` before its first sample. A bus without a unit has one that navigates.
     pub fn new(mut play: Play, mut files: Files) -> Result<Self, Failure> {
-        write_line(&mut files.records, &record::head(play.course().scene().options.covariance))?;
+        write_line(&mut files.records, &record::head(play.itinerary().scene().options.covariance))?;
         if let Some(file) = &mut files.imu {
             write_line(file, &imu::COLUMNS.join(","))?;
         }
@@ -202,7 +202,7 @@ impl InFlight {
     pub fn go_on(&mut self, sample: FlightSample) -> Result<(), Stopped> {
         self.play.push(&sample)?;
         if let Some(first) = self.first.take() {
-            let earth = self.play.course().scene().simulator_options().earth();
+            let earth = self.play.itinerary().scene().simulator_options().earth();
             self.flown.speed_at_start_m_s = speed_m_s(&earth, &first, &sample);
         }
         self.flown.steps += 1;
@@ -217,7 +217,7 @@ impl InFlight {
             written.map_err(|error| Failure::of_output(file.path(), &error))?;
         }
         if let Some(unit) = self.play.unit() {
-            let time_s = interval.time_s - self.play.course().start_s().unwrap_or_default();
+            let time_s = interval.time_s - self.play.itinerary().start_s().unwrap_or_default();
             let status = unit.status();
             self.navigations.take(status.state, simulator, time_s)?;
             shown::note(&mut self.flown.reasons, &status.reasons, time_s);
@@ -227,7 +227,7 @@ impl InFlight {
             files.write(&words)?;
         }
         self.is_recorded = [false; 2];
-        self.record(self.play.course().is_due())
+        self.record(self.play.itinerary().is_due())
     }
 
     /// Records the last interval of the flight, if it has no record yet.
@@ -238,7 +238,7 @@ impl InFlight {
     /// Writes what the last interval lacks: its record and the row of the unit if they are due, and a new state of the unit.
     fn record(&mut self, is_due: bool) -> Result<(), Stopped> {
         let [has_record, has_row] = &mut self.is_recorded;
-        let start_s = self.play.course().start_s().unwrap_or_default();
+        let start_s = self.play.itinerary().start_s().unwrap_or_default();
         if let (Some(files), Some(unit)) = (&mut self.files.unit, self.play.unit())
             && let Some(interval) = self.play.simulator().imu()
             && !*has_row
@@ -254,7 +254,7 @@ impl InFlight {
             && let Some(mut record) = Record::now(self.play.simulator_mut())?
         {
             *has_record = true;
-            [record.gyro_error, record.accel_error] = self.play.course_mut().take_sensor_errors();
+            [record.gyro_error, record.accel_error] = self.play.itinerary_mut().take_sensor_errors();
             self.keep(&record)?;
         }
         Ok(())
@@ -285,7 +285,7 @@ impl InFlight {
         if self.play.unit().is_some() && self.play.simulator().imu().is_some() {
             self.flown.shown_at_end = Some(self.shown()?.at_end(self.play.simulator())?);
         }
-        if self.play.course().scene().options.truth_summary {
+        if self.play.itinerary().scene().options.truth_summary {
             self.flown.truth = simulator.truth_summary()?;
         }
         self.flown.records = self.flown.records.saturating_sub(self.files.records.settle());

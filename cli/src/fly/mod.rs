@@ -72,7 +72,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let imu = order.imu.as_ref().or(Some(&given.scene.output.imu).filter(|imu| !imu.is_empty()));
     let imu = imu.map(|file| below(&folder, file, "output.imu", "--imu")).transpose()?;
     let play = ready(&given)?;
-    let every_s = play.course().every_s();
+    let every_s = play.itinerary().every_s();
     let mut outputs = Outputs::new(&given.inputs, order.output.force);
     // The outputs are opened before the flight, so that one that cannot be written is reported at once.
     outputs.folder(&folder)?;

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use sins::log::RowOfPath;
-use sins::scene::{Course, FlightSource, Play, Samples, Scene, Source};
+use sins::scene::{FlightSource, Itinerary, Play, Samples, Scene, Source};
 use sins::truth::FlightSample;
 use sins::truth::flight::Flight;
 use sins::{Error, ErrorKind};
@@ -224,8 +224,8 @@ impl Given {
     }
 
     /// The same without a simulator.
-    pub fn course(&self) -> Result<Course, Error> {
-        Course::new(Arc::new(self.scene.clone()), self.source.clone())
+    pub fn itinerary(&self) -> Result<Itinerary, Error> {
+        Itinerary::new(Arc::new(self.scene.clone()), self.source.clone())
     }
 
     /// The sample `index`.

@@ -51,7 +51,7 @@ impl<'a> Leg<'a> {
             log.begin(&first)?;
         }
         let play = given.play()?;
-        let every_s = play.course().every_s();
+        let every_s = play.itinerary().every_s();
         let state = State::Begun(Some(Box::new((play, files))));
         let mut judge = Box::new(judge_of(&given.scene));
         judge.push(&first)?;

@@ -9,7 +9,7 @@ use crate::judge::Judge;
 #[cfg(feature = "scenes")]
 use crate::log::FlightLog;
 #[cfg(feature = "scenes")]
-use crate::scene::{Course, Fault, Scene};
+use crate::scene::{Fault, Itinerary, Scene};
 use crate::simulator::Simulator;
 use crate::truth::flight::Flight;
 use crate::unit::Unit;
@@ -36,10 +36,11 @@ pub(in crate::abi) struct SceneText {
     pub faults: Vec<Fault>,
 }
 
-/// A scene in flight, whose simulator and unit have handles of their own, which the host may use too.
+/// A scene in flight, whose simulator and unit have handles of their own, which the host may use too; therefore no `scene::Play`, which
+/// owns both.
 #[cfg(feature = "scenes")]
 pub(in crate::abi) struct PlayHandles {
-    pub course: Course,
+    pub itinerary: Itinerary,
     /// Key of the simulator.
     pub sim: usize,
     /// Key of the unit, if the scene has one.

@@ -19,7 +19,7 @@ use crate::abi::unit::sins_unit;
 use crate::abi::unit_status::{sins_unit_navigation, sins_unit_status};
 use crate::base::error::{Error, check_integer};
 use crate::log::FlightLog;
-use crate::scene::{Course, Scene, Source, Stopped, shown};
+use crate::scene::{Itinerary, Scene, Source, Stopped, shown};
 use crate::simulator::Simulator;
 use crate::unit::Unit;
 
@@ -34,14 +34,18 @@ pub struct sins_play {
 /// Runs `body` on a scene in flight with its simulator and its unit, as the inside of an exported function.
 pub(super) fn with_play(
     play: *mut sins_play,
-    body: impl FnOnce(&mut Course, &mut Box<[Simulator; 1]>, Option<&mut Unit>) -> Result<sins_status, CallError>,
+    body: impl FnOnce(
+        &mut Itinerary,
+        &mut Box<[Simulator; 1]>,
+        Option<&mut Unit>,
+    ) -> Result<sins_status, CallError>,
 ) -> sins_status {
-    with_object(&PLAYS, play, |PlayHandles { course, sim, unit }| {
+    with_object(&PLAYS, play, |PlayHandles { itinerary, sim, unit }| {
         let mut result = Ok(SINS_OK);
         let mut status = SINS_OK;
         let fly = |unit: Option<&mut Unit>| {
             status = SIMULATORS.with(*sim, |simulator| {
-                result = body(course, simulator, unit);
+                result = body(itinerary, simulator, unit);
                 Ok(SINS_OK)
             });
         };
@@ -129,10 +133,10 @@ fn make(scene: &Scene, log: Option<Arc<FlightLog>>) -> Result<PlayHandles, CallE
         None if scene.is_log() => Source::Host,
         None => Source::flight_of(scene)?,
     };
-    let course = Course::new(Arc::new(scene.clone()), source)?;
+    let itinerary = Itinerary::new(Arc::new(scene.clone()), source)?;
     let unit = scene.unit()?;
     // What this owns is destroyed if the unit finds no place.
-    let mut made = PlayHandles { course, sim: SIMULATORS.insert(scene.simulator()?)?, unit: None };
+    let mut made = PlayHandles { itinerary, sim: SIMULATORS.insert(scene.simulator()?)?, unit: None };
     made.unit = unit.map(|unit| UNITS.insert(unit)).transpose()?;
     Ok(made)
 }
@@ -148,8 +152,8 @@ fn make(scene: &Scene, log: Option<Arc<FlightLog>>) -> Result<PlayHandles, CallE
 /// SINS_ERROR_BAD_HANDLE: play is not a valid handle, or its simulator or its unit was destroyed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_play_next(play: *mut sins_play) -> sins_status {
-    with_play(play, |course, simulator, unit| {
-        Ok(match course.fly_next(&mut simulator[0], unit) {
+    with_play(play, |itinerary, simulator, unit| {
+        Ok(match itinerary.fly_next(&mut simulator[0], unit) {
             Ok(Some(flown)) => pushed(flown),
             Ok(None) => SINS_PLAY_END,
             Err(error) => stopped(&error),
@@ -167,10 +171,10 @@ pub unsafe extern "C-unwind" fn sins_play_push(
     play: *mut sins_play,
     sample: *const sins_flight_sample,
 ) -> sins_status {
-    with_play(play, |course, simulator, unit| {
+    with_play(play, |itinerary, simulator, unit| {
         // SAFETY: the host's promise.
         let sample = unsafe { read(sample, "sample")? }.to_sample()?;
-        Ok(match course.push(&mut simulator[0], unit, &sample) {
+        Ok(match itinerary.push(&mut simulator[0], unit, &sample) {
             Ok(flown) => pushed(flown),
             Err(error) => stopped(&error),
         })
@@ -191,17 +195,17 @@ pub unsafe extern "C-unwind" fn sins_play_run(
     written: *mut usize,
 ) -> sins_status {
     let mut done = 0;
-    let status = with_play(play, |course, simulator, mut unit| {
+    let status = with_play(play, |itinerary, simulator, mut unit| {
         let [simulator] = &mut **simulator;
         // SAFETY: the host's promise.
         let records = unsafe { Array::new(records, capacity, "records")? };
         loop {
-            match course.fly_next(simulator, unit.as_deref_mut()) {
+            match itinerary.fly_next(simulator, unit.as_deref_mut()) {
                 Ok(Some(_)) => {}
                 Ok(None) => return Ok(SINS_PLAY_END),
                 Err(error) => return Ok(stopped(&error)),
             }
-            if capacity > 0 && course.is_due() {
+            if capacity > 0 && itinerary.is_due() {
                 fill_or_need::<RecordView>(simulator, &records.output(done)?)?;
                 done += 1;
                 if done == capacity {
@@ -231,13 +235,13 @@ pub unsafe extern "C-unwind" fn sins_play_run_imu(
     written: *mut usize,
 ) -> sins_status {
     let mut done = 0;
-    let status = with_play(play, |course, simulator, mut unit| {
+    let status = with_play(play, |itinerary, simulator, mut unit| {
         let [simulator] = &mut **simulator;
         check_integer("capacity", capacity, 1, u64::MAX)?;
         // SAFETY: the host's promise.
         let imu = unsafe { Array::new(imu, capacity, "imu")? };
         while done < capacity {
-            match course.fly_next(simulator, unit.as_deref_mut()) {
+            match itinerary.fly_next(simulator, unit.as_deref_mut()) {
                 Ok(Some(_)) => {}
                 Ok(None) => return Ok(SINS_PLAY_END),
                 Err(error) => return Ok(stopped(&error)),
@@ -273,8 +277,8 @@ pub unsafe extern "C-unwind" fn sins_play_set_plan(
     });
     match plan {
         None => status,
-        Some(plan) => with_play(play, |course, simulator, _| {
-            course.set_plan(&mut simulator[0], &plan)?;
+        Some(plan) => with_play(play, |itinerary, simulator, _| {
+            itinerary.set_plan(&mut simulator[0], &plan)?;
             Ok(SINS_OK)
         }),
     }

@@ -20,8 +20,8 @@ pub unsafe extern "C-unwind" fn sins_play_snapshot_save(
     capacity: usize,
     written: *mut usize,
 ) -> sins_status {
-    with_play(play, |course, simulator, unit| {
-        let save = |bytes: &mut [u8]| course.save_snapshot(&simulator[0], unit.as_deref(), bytes);
+    with_play(play, |itinerary, simulator, unit| {
+        let save = |bytes: &mut [u8]| itinerary.save_snapshot(&simulator[0], unit.as_deref(), bytes);
         // SAFETY: the host's promise.
         unsafe { put_saved::<SINS_PLAY_SNAPSHOT_MAX_SIZE>(save, buffer.cast(), capacity, written) }
     })
@@ -39,10 +39,10 @@ pub unsafe extern "C-unwind" fn sins_play_snapshot_load(
     snapshot: *const c_void,
     size: usize,
 ) -> sins_status {
-    with_play(play, |course, simulator, unit| {
+    with_play(play, |itinerary, simulator, unit| {
         // SAFETY: the host's promise.
         let snapshot = unsafe { bytes_of(snapshot.cast(), size, "snapshot")? };
-        let (loaded, loaded_unit) = course.load_snapshot(unit.is_some(), snapshot)?;
+        let (loaded, loaded_unit) = itinerary.load_snapshot(unit.is_some(), snapshot)?;
         *simulator = loaded;
         if let (Some(unit), Some(loaded)) = (unit, loaded_unit) {
             *unit = loaded;

@@ -2,14 +2,14 @@
 //!
 //! A [`Play`] flies a scene sample by sample: [`Play::fly_next`] takes the next sample of the scene, [`Play::push`] one of the host. Both
 //! do all that the scene plans: temperature, failures and updates before the push, the panel and the unit after the step.
-//! A [`Course`] is a play without its simulator and its unit: what flies many of them at once has one.
+//! An [`Itinerary`] is a play without its simulator and its unit: what flies many of them at once has one.
 
-mod course;
+mod itinerary;
 mod snapshot;
 mod source;
 mod spacing;
 
-pub use course::{Course, Stopped};
+pub use itinerary::{Itinerary, Stopped};
 pub use source::Source;
 pub use spacing::Spacing;
 
@@ -30,10 +30,11 @@ pub struct Shown {
     pub navigation: UnitNavigation,
 }
 
-/// A scene in flight.
+/// A scene in flight, which owns its simulator and its unit. (The C interface keeps them behind handles of their own beside the same
+/// [`Itinerary`]: `PlayHandles`.)
 #[derive(Debug, Clone)]
 pub struct Play {
-    course: Course,
+    itinerary: Itinerary,
     simulator: Box<[Simulator; 1]>,
     unit: Option<Unit>,
 }
@@ -42,27 +43,27 @@ impl Play {
     /// `scene` before its first sample, on the samples of `source`.
     pub fn new(scene: Arc<Scene>, source: Source) -> Result<Self, Error> {
         let (simulator, unit) = (scene.simulator()?, scene.unit()?);
-        Ok(Self { course: Course::new(scene, source)?, simulator, unit })
+        Ok(Self { itinerary: Itinerary::new(scene, source)?, simulator, unit })
     }
 
     /// Flies to the next sample of the scene; `None`: the flight is over. After an error the next call tries the same interval again. No
     /// allocation.
     pub fn fly_next(&mut self) -> Result<Option<Pushed>, Stopped> {
         let [simulator] = &mut *self.simulator;
-        self.course.fly_next(simulator, self.unit.as_mut())
+        self.itinerary.fly_next(simulator, self.unit.as_mut())
     }
 
     /// Flies to a sample of the host. A sample that is rejected changes nothing of what later samples lead to. No allocation.
     pub fn push(&mut self, sample: &FlightSample) -> Result<Pushed, Stopped> {
         let [simulator] = &mut *self.simulator;
-        self.course.push(simulator, self.unit.as_mut(), sample)
+        self.itinerary.push(simulator, self.unit.as_mut(), sample)
     }
 
     /// Flies until a record is due; false: the flight was over. The first sample and the last one have a
     /// record.
     pub fn run(&mut self) -> Result<bool, Stopped> {
         while self.fly_next()?.is_some() {
-            if self.course.is_due() {
+            if self.itinerary.is_due() {
                 return Ok(true);
             }
         }
@@ -70,19 +71,19 @@ impl Play {
     }
 
     /// The plan and the place in it.
-    pub fn course(&self) -> &Course {
-        &self.course
+    pub fn itinerary(&self) -> &Itinerary {
+        &self.itinerary
     }
 
     /// The same, for the spacing of records and the errors of the sensors since the last one.
-    pub fn course_mut(&mut self) -> &mut Course {
-        &mut self.course
+    pub fn itinerary_mut(&mut self) -> &mut Itinerary {
+        &mut self.itinerary
     }
 
-    /// Takes over what another scene plans: [`Course::set_plan`].
+    /// Takes over what another scene plans: [`Itinerary::set_plan`].
     pub fn set_plan(&mut self, scene: &Scene) -> Result<(), Error> {
         let [simulator] = &mut *self.simulator;
-        self.course.set_plan(simulator, scene)
+        self.itinerary.set_plan(simulator, scene)
     }
 
     /// The simulator, for every read.

@@ -1,6 +1,6 @@
 //! A scene in flight as a snapshot, and back: the place in the plan, then the simulator, then the unit.
 
-use super::{Course, Play};
+use super::{Itinerary, Play};
 use crate::Simulator;
 use crate::base::error::Error;
 use crate::base::snapshot::{Reader, SnapshotOf, Stored as _, Writer, fitting};
@@ -9,23 +9,23 @@ use crate::unit::{Mode, Unit, UnitParameters};
 impl Play {
     /// Bytes that a snapshot takes now.
     pub fn snapshot_size(&self) -> usize {
-        self.course.write_snapshot(self.simulator(), self.unit(), &mut [])
+        self.itinerary.write_snapshot(self.simulator(), self.unit(), &mut [])
     }
 
     /// Writes a snapshot of simulator, unit and place in the plan into `buffer`, and returns its length. No allocation.
     pub fn save_snapshot(&self, buffer: &mut [u8]) -> Result<usize, Error> {
-        self.course.save_snapshot(self.simulator(), self.unit(), buffer)
+        self.itinerary.save_snapshot(self.simulator(), self.unit(), buffer)
     }
 
     /// Continues from a snapshot of the same scene on the same samples, to the same bits. On an error nothing has changed. Allocates.
     pub fn load_snapshot(&mut self, snapshot: &[u8]) -> Result<(), Error> {
-        let (simulator, unit) = self.course.load_snapshot(self.unit.is_some(), snapshot)?;
+        let (simulator, unit) = self.itinerary.load_snapshot(self.unit.is_some(), snapshot)?;
         (self.simulator, self.unit) = (simulator, unit);
         Ok(())
     }
 }
 
-impl Course {
+impl Itinerary {
     pub(crate) fn save_snapshot(
         &self,
         simulator: &Simulator,
@@ -47,7 +47,7 @@ impl Course {
         to.finish()
     }
 
-    /// Becomes the course of a snapshot, whose simulator and unit it returns. `has_unit`: whether the scene has one.
+    /// Becomes the itinerary of a snapshot, whose simulator and unit it returns. `has_unit`: whether the scene has one.
     pub(crate) fn load_snapshot(
         &mut self,
         has_unit: bool,

@@ -7,7 +7,7 @@
 mod manoeuvre;
 mod path;
 mod profile;
-mod smooth;
+mod steps;
 mod table;
 
 pub(crate) use manoeuvre::ManoeuvreFields;

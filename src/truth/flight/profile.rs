@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use nalgebra::{Quaternion, Vector3};
 
 use super::manoeuvre::{Channel, Manoeuvre, Sinusoid};
-use super::smooth::{Window, step};
+use super::steps::{Window, step};
 use crate::base::error::Error;
 use crate::base::math::{Euler, asin, atan, attitude_from_euler, sin_cos, tan};
 use crate::base::units::STANDARD_GRAVITY;

@@ -17,7 +17,7 @@ use crate::{ImuInterval, Simulator, Step};
 
 /// What a scene does over the time of its flight, and how far it has come: all of a scene in flight but its simulator and its unit.
 #[derive(Debug, Clone)]
-pub struct Course {
+pub struct Itinerary {
     scene: Arc<Scene>,
     source: Source,
     /// Number of samples; `None`: the host's, without an end.
@@ -84,7 +84,7 @@ impl fmt::Display for Stopped {
 
 impl core::error::Error for Stopped {}
 
-impl Course {
+impl Itinerary {
     /// `scene` before its first sample, on the samples of `source`.
     pub fn new(scene: Arc<Scene>, source: Source) -> Result<Self, Error> {
         let samples = source.samples(&scene)?;
