@@ -39,6 +39,9 @@ const HEADINGS: [(&str, f64); 4] = [
     ("radians taken for degrees", 1.0 / DEG),
 ];
 
+/// Share of the squared turns of the track that those of a heading leave unexplained at most, of a vehicle whose nose leads its track.
+const FOLLOWS: f64 = 0.5;
+
 /// A sum of unit vectors in the plane.
 #[derive(Debug, Clone, Copy)]
 struct Direction {
@@ -131,6 +134,10 @@ pub(super) struct Attitudes {
     count: f64,
     track: Direction,
     headings: [Direction; 4],
+    /// The track and the heading before \[rad\], Σ (turn of the track)², and Σ (turn of a heading less turn of the track)².
+    before: Option<[f64; 2]>,
+    turned2: f64,
+    unexplained2: [f64; 4],
     /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank.
     turns: [f64; 5],
     climb: Regression,
@@ -151,6 +158,9 @@ impl Attitudes {
             count: 0.0,
             track: Direction::NONE,
             headings: [Direction::NONE; 4],
+            before: None,
+            turned2: 0.0,
+            unexplained2: [0.0; 4],
             turns: [0.0; 5],
             climb: Regression::NONE,
             held: Held::NONE,
@@ -173,7 +183,7 @@ impl Attitudes {
         let speed = hypot(v.x, v.y);
         let least = (40.0 * coarse.horizontal_m / length_s).max(5.0);
         if [first, second].iter().any(|d| hypot(d.x, d.y) < 0.5 * least * length_s) {
-            self.banked = [None; 2];
+            (self.banked, self.before) = ([None; 2], None);
             return;
         }
         self.count += 1.0;
@@ -183,6 +193,7 @@ impl Attitudes {
         for (sum, (_, factor)) in self.headings.iter_mut().zip(HEADINGS) {
             sum.add(wrap_angle(end.euler.heading * factor - track));
         }
+        self.add_turn(track, end.euler.heading);
         let turn = wrap_angle(atan2(second.x, second.y) - atan2(first.x, first.y));
         let bank = atan(speed * turn / (0.5 * length_s) / G);
         if (5.0 * DEG..75.0 * DEG).contains(&bank.abs()) && sin_cos(pitch).1.abs() > 0.5 {
@@ -199,6 +210,18 @@ impl Attitudes {
         if speed > 15.0 && roll.abs() < 1.0 && path.abs() < 1.2 && coarse.up_m < 0.02 * speed * length_s {
             self.climb.add(path, pitch);
         }
+    }
+
+    fn add_turn(&mut self, track: f64, heading: f64) {
+        if let Some([track_before, heading_before]) = self.before {
+            let turn = wrap_angle(track - track_before);
+            self.turned2 += turn * turn;
+            for (sum, (_, factor)) in self.unexplained2.iter_mut().zip(HEADINGS) {
+                let rest = wrap_angle((heading - heading_before) * factor - turn);
+                *sum += rest * rest;
+            }
+        }
+        self.before = Some([track, heading]);
     }
 
     fn add_held(&mut self, blocks: [&Block; 2], turn: f64) {
@@ -263,8 +286,11 @@ impl Attitudes {
         if !self.is_enough() || !turned || as_it_is >= 0.8 {
             return None;
         }
-        let best = self.headings.iter().zip(HEADINGS).max_by(|a, b| a.0.length().total_cmp(&b.0.length()))?;
-        (best.0.length() / self.count > 0.9).then_some((as_it_is, Clue::Known(best.1.0)))
+        let lengths = self.headings.map(|sum| sum.length() / self.count);
+        let best = (0..HEADINGS.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
+        // By chance the mean direction of a drone that turns as it likes agrees; its turns do not.
+        let leads = self.unexplained2[best] < FOLLOWS * self.turned2;
+        (lengths[best] > 0.9 && leads).then_some((as_it_is, Clue::Known(HEADINGS[best].0)))
     }
 
     /// Angle of the heading off the track [rad], if it is constant and large, and what that means: wind makes no constant angle in a flight
@@ -293,10 +319,12 @@ impl Attitudes {
         }
         let slope = mixed / bank2;
         let is_opposite = slope < LEANS && with_sign < 0.2 * count;
-        let is_sideways = self.off_track().0.abs() > SIDEWAYS;
+        // A vehicle with a heading of its own banks to any side of it.
+        let (off_track, share) = self.off_track();
+        let is_sideways = off_track.abs() > SIDEWAYS || share < 0.8;
         let clue = match (of_pitch / bank2).abs() {
             0.6..1.6 if slope.abs() < 0.4 && !is_sideways => Clue::Known("roll and pitch are exchanged"),
-            _ if is_opposite => Clue::Known("opposite sign"),
+            _ if is_opposite && !is_sideways => Clue::Known("opposite sign"),
             _ => Clue::None,
         };
         (clue != Clue::None || !(0.1..=5.0).contains(&slope)).then_some((slope, clue))

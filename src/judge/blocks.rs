@@ -87,6 +87,9 @@ pub(super) struct Level {
     pub attitudes: Attitudes,
 }
 
+const LEVEL: Level =
+    Level { half: None, before: None, velocities: Velocities::new(), attitudes: Attitudes::new() };
+
 #[derive(Debug, Clone)]
 pub(super) struct Blocks {
     levels: Box<[Level]>,
@@ -100,10 +103,14 @@ pub(super) struct Blocks {
 impl Blocks {
     /// Allocates the levels, which would be much of a small stack.
     pub fn new() -> Result<Self, Error> {
-        const LEVEL: Level =
-            Level { half: None, before: None, velocities: Velocities::new(), attitudes: Attitudes::new() };
         let levels = filled(LEVELS, LEVEL)?;
         Ok(Self { levels, growing: None, products: None, up_m_s: 0.0, last: None })
+    }
+
+    /// Forgets all rows: they have no fix.
+    pub fn clear(&mut self) {
+        self.levels.fill(LEVEL);
+        self.growing = None;
     }
 
     /// Adds a row.

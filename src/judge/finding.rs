@@ -77,6 +77,10 @@ pub enum Kind {
     AttitudeHeld = 24,
     /// Attitude that follows the turns late; figure: the delay, negative if it is early [s].
     AttitudeLate = 25,
+    /// Attitude with noise; figure: noise of an angle [rad].
+    NoisyAttitude = 26,
+    /// Velocity that follows the positions late; figure: the delay, negative if it is early [s].
+    VelocityLate = 27,
 }
 
 /// What explains a finding.
@@ -222,6 +226,7 @@ impl Finding {
             Kind::NoisyVelocities
             | Kind::VelocityUnit
             | Kind::VelocityContradicts
+            | Kind::VelocityLate
             | Kind::VelocityAtTimes => "the velocity of the path is flown instead",
             _ => "smoothed",
         }
@@ -252,11 +257,12 @@ impl Finding {
             | Kind::NoisyPositions
             | Kind::HeldRows
             | Kind::Spike => "smooth the log, or give the velocities",
-            Kind::NoisyVelocities => "smooth the log",
+            Kind::NoisyVelocities | Kind::NoisyAttitude => "smooth the log",
             Kind::Acceleration => "if the vehicle does not do this, smooth the log",
             Kind::NotYetFixed => "leave these rows out",
             Kind::VelocityUnit | Kind::VerticalUnit => "state the unit and the axes of the velocity",
             Kind::VelocityContradicts => "give the velocity against the ground, or leave it out",
+            Kind::VelocityLate => "correct the time of the velocity, or leave the velocity out",
             Kind::VelocityAtTimes => "correct these rows, or smooth the log",
             Kind::HeadingUnit | Kind::RollSign | Kind::PitchSign => {
                 "state the unit and the sign of the angle"

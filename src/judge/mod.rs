@@ -10,6 +10,7 @@ mod conclude;
 mod finding;
 mod histogram;
 mod induced_error;
+mod late;
 mod noise;
 mod positions;
 mod resolution;
@@ -21,11 +22,15 @@ mod wrap;
 
 pub use finding::{At, Finding, Kind, Level};
 
+use nalgebra::Vector3;
+
 use crate::base::error::Error;
+use crate::base::math::{Euler, sin_cos, wrap_angle};
 use crate::earth::Earth;
 use crate::truth::FlightSample;
 use blocks::{Blocks, Coarseness};
 use induced_error::InducedError;
+use late::Lateness;
 use noise::Noise;
 use positions::Positions;
 use resolution::Resolution;
@@ -34,7 +39,10 @@ use stamps::Stamps;
 use wrap::Wrap;
 
 /// Largest number of findings of a flight.
-pub const MAX_FINDINGS: usize = 26;
+pub const MAX_FINDINGS: usize = 28;
+
+/// Cosine of the pitch below which the angles of the attitude say nothing about its noise.
+const NEAR_ZENITH: f64 = 0.2;
 
 /// Samples until doubts are given in flight: statistics of fewer are those of a few rows.
 const DOUBTS_FROM: u64 = 200;
@@ -59,6 +67,8 @@ pub struct Judge {
     resolution: Resolution,
     noise: Noise,
     velocity_noise: Noise,
+    attitude_noise: Noise,
+    lateness: Lateness,
     positions: Positions,
     blocks: Blocks,
     wraps: [Wrap; 2],
@@ -86,6 +96,8 @@ impl Judge {
             resolution: Resolution::new(),
             noise: Noise::new()?,
             velocity_noise: Noise::new()?,
+            attitude_noise: Noise::new()?,
+            lateness: Lateness::new(),
             positions: Positions::new(),
             blocks: Blocks::new()?,
             wraps: [const { Wrap::new() }; 2],
@@ -174,6 +186,9 @@ impl Judge {
             self.velocity_noise.add((v_n - before) / t, |v| v * usual_s, &[0.0; 3]);
             self.effect.add(&self.earth, row);
         }
+        self.lateness.add(row);
+        self.add_turn(&sample.euler, &last.euler, t);
+        let had_unfixed = self.positions.unfixed() > 0;
         self.positions.add(row, sample, usual_s, fourth);
         if let Some((middle, mean_m)) = self.stamps.add(row) {
             self.positions.add_window(middle, mean_m, usual_s, step_m);
@@ -185,10 +200,27 @@ impl Judge {
             is_known: self.noise.count() >= KNOWN_NOISE || usual_s >= 1.0,
         };
         self.blocks.add(row, &coarse);
+        if !had_unfixed && self.positions.unfixed() > 0 {
+            self.blocks.clear();
+        }
         let before = At { row: row.at.row - 1, time_s: last.time_s };
         let (now, then) = (sample.euler, last.euler);
         for (wrap, step) in self.wraps.iter_mut().zip([now.heading - then.heading, now.roll - then.roll]) {
             wrap.add(step, row.interval_s, before);
+        }
+    }
+
+    /// Adds a turn of the attitude for its noise. Near the zenith the angles turn, and the attitude does not.
+    fn add_turn(&mut self, now: &Euler, before: &Euler, interval_s: f64) {
+        let cosine = sin_cos(now.pitch).1;
+        if self.has_attitude && cosine.abs() > NEAR_ZENITH {
+            let turn = Vector3::new(
+                wrap_angle(now.roll - before.roll),
+                wrap_angle(now.pitch - before.pitch),
+                cosine * wrap_angle(now.heading - before.heading),
+            );
+            let usual_s = self.stamps.usual_s();
+            self.attitude_noise.add(turn / interval_s, |v| v * usual_s, &[0.0; 3]);
         }
     }
 }

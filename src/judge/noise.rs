@@ -103,8 +103,13 @@ impl Noise {
 
     /// White noise of a component; 0: none was found, or none can be told from motion.
     pub fn sigma(&self, axis: usize) -> f64 {
+        self.sigma_above(axis, NOISE_RATIO)
+    }
+
+    /// The same, where the ratio of σ₄ to σ₃ must be above `ratio`.
+    pub fn sigma_above(&self, axis: usize, ratio: f64) -> f64 {
         let (third, fourth) = (self.third[axis].median() / THIRD, self.fourth[axis].median() / FOURTH);
-        if self.count() >= LEAST && fourth > NOISE_RATIO * third { third } else { 0.0 }
+        if self.count() >= LEAST && fourth > ratio * third { third } else { 0.0 }
     }
 
     /// Noise of rounding of a component, whose values are multiples of `step`; 0: rounding does not show.

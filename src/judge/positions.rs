@@ -106,7 +106,8 @@ impl Positions {
         let t = row.interval_s;
         let step_m = row.step_m();
         self.add_run(row, step_m);
-        if step_m > 0.0 {
+        // The displacement of a row straight above the row before is rounding.
+        if step_m > 0.0 && !row.is_held {
             self.steps.add(step_m / t);
         }
         self.from_start += row.d_e;
@@ -135,8 +136,7 @@ impl Positions {
         self.add_unfixed(row, sample, usual_s);
     }
 
-    /// Rows that are farther than a window from the ends of a run of held rows are in no window that moves: that they moved shows when the
-    /// run ends.
+    /// Held rows that are farther from the next fix than a window reaches: that they moved shows when the run ends.
     fn add_run(&mut self, row: &Row, step_m: f64) {
         if row.is_held {
             let (first, count, length_s) = self.run.unwrap_or((row.at, 0, 0.0));
@@ -145,7 +145,7 @@ impl Positions {
             && self.speed_m_s() > 0.0
             && step_m > MOVING * self.speed_m_s() * (length_s + row.interval_s)
         {
-            let unseen = count.saturating_sub(2 * MIDDLE as u64);
+            let unseen = count.saturating_sub(MIDDLE as u64);
             self.moving += unseen;
             self.held += unseen;
             if unseen > 0 && self.first_held.is_none_or(|known| known.row > first.row) {
@@ -178,8 +178,10 @@ impl Positions {
         if mean_m <= (3.0 * step_m).max(0.02 * usual_s + 1e-9) {
             return;
         }
+        // Of a row farther from the next fix, that fix shows what it was.
+        let Some(is_held_fix) = middle.is_held_fix else { return };
         self.moving += 1;
-        if middle.is_held {
+        if is_held_fix {
             self.held += 1;
             self.first_held.get_or_insert(middle.at);
         }

@@ -41,6 +41,12 @@ impl fmt::Display for Finding {
             }
             (Kind::NoisyPositions, _) => write!(f, "positions have {figure} m of noise"),
             (Kind::NoisyVelocities, _) => write!(f, "velocities have {figure} m/s of noise"),
+            (Kind::NoisyAttitude, _) => write!(f, "attitude has {degrees} deg of noise"),
+            (Kind::VelocityLate, _) => {
+                let word = if self.figure < 0.0 { "early" } else { "late" };
+                let delay = Digits(self.figure.abs());
+                write!(f, "velocity is {delay} s too {word} for the positions (is it on another clock?)")
+            }
             (Kind::HeldRows, _) => {
                 let percent = Digits(100.0 * self.figure);
                 write!(

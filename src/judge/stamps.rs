@@ -14,6 +14,9 @@ const GAP: f64 = 2.5;
 /// Intervals until the usual one is known.
 const LEAST: u64 = 8;
 
+/// Share of the way of the window's speed that a fix must have made behind held rows.
+const HELD_WAY: f64 = 0.25;
+
 /// Rows of the window in which displacements are compared with stamps: the one in the middle, and ten on each side.
 pub(super) const WINDOW: usize = 21;
 pub(super) const MIDDLE: usize = WINDOW / 2;
@@ -27,6 +30,8 @@ pub(super) struct Tick {
     /// Horizontal displacement [m].
     pub step_m: f64,
     pub is_held: bool,
+    /// Whether it is a repeat of a fix while the vehicle moves: `None` where the next fix is not yet known.
+    pub is_held_fix: Option<bool>,
     pub at: At,
 }
 
@@ -63,6 +68,7 @@ impl Stamps {
                 ticks: 0.0,
                 step_m: 0.0,
                 is_held: false,
+                is_held_fix: None,
                 at: At { row: 0, time_s: 0.0 },
             }; WINDOW],
             count: 0,
@@ -123,6 +129,7 @@ impl Stamps {
             ticks,
             step_m: row.step_m(),
             is_held: row.is_held,
+            is_held_fix: None,
             at: row.at,
         };
         self.window[(self.count % WINDOW as u64) as usize] = tick;
@@ -136,15 +143,30 @@ impl Stamps {
             ticks += tick.ticks;
             path_m += tick.step_m;
         }
-        let middle = &self.window[((self.count - 1 - MIDDLE as u64) % WINDOW as u64) as usize];
-        let deviation_s = middle.interval_s - middle.ticks * (time_s / ticks);
         let speed = path_m / time_s;
+        let is_held = self.is_held_fix(speed);
+        let middle = &mut self.window[((self.count - 1 - MIDDLE as u64) % WINDOW as u64) as usize];
+        middle.is_held_fix = is_held;
+        let deviation_s = middle.interval_s - middle.ticks * (time_s / ticks);
         let (x, y) = (speed * deviation_s, middle.step_m - path_m * (middle.ticks / ticks));
         for (sum, term) in self.sums.iter_mut().zip([x * x, x * y, y * y, deviation_s * deviation_s]) {
             *sum += term;
         }
         self.compared += 1;
-        Some((middle, path_m / WINDOW as f64))
+        Some((&*middle, path_m / WINDOW as f64))
+    }
+
+    /// Whether the row in the middle of the window repeats a fix that is held while the vehicle moves at `speed_m_s` [m/s]: the next fix
+    /// has the way that was made meanwhile. Behind a rest, or a climb over one place, it has not.
+    fn is_held_fix(&self, speed_m_s: f64) -> Option<bool> {
+        let tick = |place: usize| &self.window[((self.count + place as u64) % WINDOW as u64) as usize];
+        if !tick(MIDDLE).is_held {
+            return Some(false);
+        }
+        let next = (MIDDLE + 1..WINDOW).find(|&place| !tick(place).is_held)?;
+        let run = (0..next).rev().take_while(|&place| tick(place).is_held);
+        let length_s = tick(next).interval_s + run.map(|place| tick(place).interval_s).sum::<f64>();
+        Some(tick(next).step_m > HELD_WAY * speed_m_s * length_s)
     }
 
     /// Scatter of the stamps [s], if displacements follow a steady clock and not the stamps. The positions have steps of `step_m` [m].

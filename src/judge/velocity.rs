@@ -62,6 +62,8 @@ pub(super) struct Wrong {
     pub clue: Clue,
     /// Whether the velocity up has a unit of its own.
     pub is_up_apart: bool,
+    /// Whether the velocity up alone is wrong.
+    pub is_up_alone: bool,
 }
 
 impl Velocities {
@@ -150,8 +152,9 @@ impl Velocities {
         let [median, mean] = [self.share.median(), self.unexplained([1.0; 3], false)];
         let explained = |share: f64| best.0 < (share / 3.0).min(EXPLAINED);
         let share = if mean > 2.5 * RIGHT && explained(mean) { mean } else { median };
-        let clue = if explained(share) && !is_right(&best.1) { best.1 } else { Clue::None };
-        (share > RIGHT).then_some(Wrong { ratio, share, clue, is_up_apart })
+        let is_up_alone = explained(share) && is_right(&best.1);
+        let clue = if explained(share) && !is_up_alone { best.1 } else { Clue::None };
+        (share > RIGHT).then_some(Wrong { ratio, share, clue, is_up_apart, is_up_alone })
     }
 
     /// Root mean square of |Σd - f P ∫v| / |Σd|, with the factors f of the three axes and the exchange P.

@@ -367,3 +367,48 @@ fn attitudes_on_another_clock_are_found() {
         assert_eq!(unseen, NONE, "{delay_s} s at {rate_hz} Hz");
     }
 }
+
+/// White noise of the attitude, with exact velocities: an INS with ideal sensors walks off.
+#[test]
+fn noise_of_the_attitude_is_found() {
+    for rate_hz in [10.0, 50.0] {
+        let noisy = |samples: &[FlightSample]| {
+            let mut draws = Draws(3);
+            each(samples, |_, sample| {
+                sample.euler.roll += 0.5 * DEG * draws.normal();
+                sample.euler.pitch += 0.5 * DEG * draws.normal();
+                sample.euler.heading += 0.5 * DEG * draws.normal();
+            })
+        };
+        assert_eq!(missed(&[Kind::NoisyAttitude], Level::Doubtful, rate_hz, noisy), NONE);
+    }
+}
+
+/// Velocities on another clock: the delay is found, to a tenth.
+#[test]
+fn late_velocities_are_found() {
+    for (delay_s, rate_hz) in [(1.0, 4.0), (0.2, 10.0), (-0.5, 10.0), (2.0, 1.0)] {
+        let late = |samples: &[FlightSample]| {
+            let rows = (delay_s * rate_hz) as i64;
+            each(samples, |k, sample| {
+                let source = (k as i64 - rows).clamp(0, samples.len() as i64 - 1);
+                sample.v_n = samples[source as usize].v_n;
+            })
+        };
+        for flight in moving() {
+            let found = judged(&late(&flight.at(rate_hz)));
+            let own = found.iter().find(|finding| finding.kind == Kind::VelocityLate);
+            println!("{} {delay_s} s: {own:?}", flight.name);
+            let own = own.unwrap_or_else(|| panic!("{} {delay_s} s: {found:?}", flight.name));
+            assert!((own.figure / delay_s - 1.0).abs() < 0.1, "{} {delay_s} s: {own}", flight.name);
+        }
+    }
+}
+
+/// Stamps that run at half the speed in a climb: both the contradiction and the climb are found, and the largest comes first.
+#[test]
+fn a_simulator_that_is_twice_as_fast_is_unusable() {
+    let slow = |samples: &[FlightSample]| each(samples, |_, sample| sample.time_s *= 0.5);
+    let kinds = [Kind::VelocityContradicts, Kind::VelocityUnit];
+    assert_eq!(missed(&kinds, Level::Unusable, 8.0, slow), NONE);
+}

@@ -74,6 +74,26 @@ pub fn vehicle(name: &str, rate_hz: f64, motion: impl Fn(f64) -> (Vector3<f64>, 
     Good { name: name.to_owned(), rate_hz, samples }
 }
 
+/// From 0 to 1 within a time, smoothly.
+fn eased(t: f64, begin_s: f64, end_s: f64) -> f64 {
+    let x = ((t - begin_s) / (end_s - begin_s)).clamp(0.0, 1.0);
+    x * x * x * (10.0 - 15.0 * x + 6.0 * x * x)
+}
+
+/// It rests, climbs by 60 m over one place, flies a leg, hovers, flies another, and descends over the last place.
+pub fn drone_over_one_place(rate_hz: f64) -> Good {
+    vehicle("drone over one place", rate_hz, |t| {
+        let leg = |begin_s: f64, end_s: f64| eased(t, begin_s, begin_s + 6.0) - eased(t, end_s - 6.0, end_s);
+        let speed = 8.0 * leg(40.0, 120.0) + 6.0 * leg(200.0, 300.0);
+        let up = 4.0 * (leg(10.0, 31.0) - leg(400.0, 421.0));
+        let heading = 0.5 + 2.0 * eased(t, 130.0, 150.0);
+        (
+            Vector3::new(speed * heading.sin(), speed * heading.cos(), up),
+            Euler { roll: 0.0, pitch: -0.01 * speed, heading },
+        )
+    })
+}
+
 /// Vehicles that do not fly like aeroplanes, at 50 Hz.
 pub fn vehicles() -> Vec<Good> {
     let level = |heading: f64| Euler { roll: 0.0, pitch: 0.0, heading };
@@ -123,6 +143,25 @@ pub fn vehicles() -> Vec<Good> {
         vehicle("drone that orbits", 50.0, |t| {
             let (track, pitch) = (0.16 * t, -(8.0 * 0.16 / 9.8));
             (forward(8.0, track), Euler { roll: 0.01, pitch, heading: track + 90.0 * DEG })
+        }),
+        drone_over_one_place(50.0),
+        // Its heading has nothing to do with its track.
+        vehicle("drone with a heading of its own", 50.0, |t| {
+            let track = 1.8 * (0.11 * t).sin() + 1.1 * (0.067 * t).cos();
+            let heading = 2.5 * (0.09 * t + 1.0).sin() + 0.8 * (0.05 * t).cos();
+            let (bank, along) = (0.1 * (0.11 * t).cos(), track - heading);
+            let euler = Euler { roll: bank * along.cos(), pitch: bank * along.sin(), heading };
+            (forward(9.0 + 3.0 * (0.13 * t).sin(), track), euler)
+        }),
+        // Its climb is that of the air, and its nose points to the horizon.
+        vehicle("glider in thermals", 50.0, |t| {
+            let climb =
+                3.0 * (eased(t, 40.0, 55.0) - eased(t, 180.0, 195.0)) + 4.0 * eased(t, 300.0, 315.0) - 1.5;
+            let turn = 0.25 * (eased(t, 40.0, 46.0) - eased(t, 180.0, 186.0) + eased(t, 300.0, 306.0));
+            let heading = 0.25 * (t - 43.0).clamp(0.0, 140.0) + 0.25 * (t - 303.0).max(0.0);
+            let roll = (27.0 * turn / 9.81).atan();
+            let v = forward(27.0, heading) + Vector3::new(6.0, -3.0, climb);
+            (v, Euler { roll, pitch: 0.05 + 0.3 * climb / 27.0, heading })
         }),
         vehicle("drone at rest", 50.0, |_| (Vector3::zeros(), level(1.0))),
         // Turns on the spot: its heading passes through north again and again.
