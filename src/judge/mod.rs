@@ -120,10 +120,10 @@ impl Judge {
         }
     }
 
-    /// The step of which all heights are multiples [m]; 0: none.
+    /// The steps of which all horizontal positions, and all heights, are multiples [m]; 0: none.
     #[cfg(feature = "scenes")]
-    pub(crate) fn height_step_m(&self) -> f64 {
-        self.resolution.steps_m[2]
+    pub(crate) fn steps_m(&self) -> [f64; 2] {
+        [self.resolution.horizontal_m(), self.resolution.steps_m[2]]
     }
 
     /// Number of samples that were pushed.

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::{FlightLog, LogError, LogMapping, fault};
+use crate::base::math::hypot;
 use crate::base::memory::room;
 use crate::base::text::Fault;
 use crate::base::units::DEG;
@@ -15,6 +16,9 @@ use crate::truth::FlightSample;
 const MOST_SAMPLES: f64 = 2e7;
 const FEW_ROWS: f64 = 1e6;
 const OF_A_ROW: f64 = 4000.0;
+
+/// Share of the largest residual and the noise beyond which that of the rows without weight is another.
+const FARTHER: f64 = 2.0;
 
 /// A row that a path was fitted to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,7 +97,7 @@ impl FlightLog {
             rows.push(RowOfPath { time_s: *time_s, place: *place, residual_n });
         }
         let had_velocities = self.samples[0].v_n.is_some();
-        let said = said(&smoothed, had_velocities).into_iter();
+        let said = said(&smoothed, had_velocities, &rows).into_iter();
         let said = said.map(|sentence| Fault { sentence, ..Fault::default() });
         let notes = self.notes.iter().cloned().chain(said).collect();
         let mut of_rows = self.of_rows.clone();
@@ -130,7 +134,7 @@ impl FlightLog {
 }
 
 /// What was done, in lines.
-fn said(smoothed: &Smoothed, had_velocities: bool) -> Vec<String> {
+fn said(smoothed: &Smoothed, had_velocities: bool, rows: &[RowOfPath]) -> Vec<String> {
     let thousandths = |value: f64| (value * 1e3).round() / 1e3;
     let part = |name: &str, part: &SmoothedPart, unit: &str, si: f64| {
         format!(
@@ -143,8 +147,27 @@ fn said(smoothed: &Smoothed, had_velocities: bool) -> Vec<String> {
             thousandths(part.largest_at_s)
         )
     };
-    let mut lines =
-        vec![part("position", &smoothed.position(), "m", 1.0), part("height", &smoothed.height(), "m", 1.0)];
+    // The rows that are left out are far from a path that is wrong.
+    let all = |part: &SmoothedPart, of: fn(&RowOfPath) -> f64| {
+        let farthest = rows.iter().max_by(|a, b| of(a).total_cmp(&of(b)));
+        let beyond = farthest.filter(|row| of(row) > FARTHER * (part.largest + part.noise));
+        beyond.map_or(String::new(), |row| {
+            let (largest, at_s) = (digits(of(row)), thousandths(row.time_s));
+            format!("; {largest} m at {at_s} s with the rows that are left out")
+        })
+    };
+    let (position, height) = (smoothed.position(), smoothed.height());
+    let horizontal = |row: &RowOfPath| hypot(row.residual_n.x, row.residual_n.y);
+    let mut lines = vec![
+        part("position", &position, "m", 1.0) + &all(&position, horizontal),
+        part("height", &height, "m", 1.0) + &all(&height, |row| row.residual_n.z.abs()),
+    ];
+    if let Some((count, interval_s)) = smoothed.corrections {
+        let interval_s = thousandths(interval_s);
+        lines.push(format!(
+            "{count} jumps are taken out, one every {interval_s} s: those of a filter that is corrected at fixes"
+        ));
+    }
     if smoothed.is_coordinated {
         lines.push("attitude: assumed, that of a coordinated flight without wind".to_owned());
     } else {
@@ -155,6 +178,10 @@ fn said(smoothed: &Smoothed, had_velocities: bool) -> Vec<String> {
             "the positions of {} rows are left out: from before the first fix, repeats, or too near to the row before",
             smoothed.left_out
         ));
+    }
+    if smoothed.cut_s > 0.0 {
+        let cut_s = thousandths(smoothed.cut_s);
+        lines.push(format!("the path begins {cut_s} s behind the first row: it needs rows on both sides"));
     }
     if smoothed.is_steady_clock {
         lines.push("the time stamps are replaced by those of a steady clock".to_owned());

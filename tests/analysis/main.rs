@@ -19,5 +19,7 @@ mod recommend;
 mod smooth;
 #[cfg(feature = "scenes")]
 mod smooth_cep;
+#[cfg(feature = "scenes")]
+mod smooth_kinds;
 mod statistics;
 mod truth_summary;

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use super::fit::{Curve, Samples};
 use super::{check_steps, numbers_of, place_of};
 use crate::base::error::{Error, ErrorKind, Rule, check_range};
-use crate::base::math::{Euler, asin, atan2, sin_cos};
+use crate::base::math::{Euler, asin, atan2, hypot, sin_cos};
 use crate::base::memory::room;
 use crate::base::units::STANDARD_GRAVITY as G;
 use crate::earth::{Earth, Geodetic};
@@ -18,8 +18,13 @@ use crate::earth::{Earth, Geodetic};
 /// Time between two attitudes [s].
 const EVERY_S: f64 = 0.1;
 
-/// Speed below which the vehicle is on the ground: level, with the heading of the last motion [m/s].
+/// Speed below which the vehicle is level, as ships, cars and hovering aircraft are; at twice that speed it banks as an aeroplane [m/s].
 const SLOW_M_S: f64 = 8.0;
+
+/// Least horizontal speed of a heading [m/s], and in deviations of the velocity of the path: below it, the heading is that of the last
+/// motion.
+const LEAST_COURSE_M_S: f64 = 0.1;
+const COURSE_DEVIATIONS: f64 = 4.0;
 
 /// Least load of a defined attitude [g].
 const LEAST_LOAD: f64 = 0.3;
@@ -80,13 +85,21 @@ pub(super) fn attitudes(
     let count = ((span_s[1] - span_s[0]) / EVERY_S).ceil().max(20.0) as usize;
     let time_s = |k: usize| span_s[0] + (span_s[1] - span_s[0]) * k as f64 / count as f64;
     let (mut times_s, mut eulers) = (room(count + 1)?, room::<Euler>(count + 1)?);
+    let least = LEAST_COURSE_M_S.max(COURSE_DEVIATIONS * path.normals.rate_noise());
     let mut first_moving = None;
     for k in 0..=count {
         let (v, f) = path.motion(time_s(k), span_s);
         let speed = v.norm_squared().sqrt();
         times_s.push(time_s(k));
+        let is_on_course = hypot(v.x, v.y) >= least;
+        let heading = match is_on_course {
+            true => course(&v),
+            false => eulers.last().map_or(0.0, |last: &Euler| last.heading),
+        };
+        if is_on_course {
+            first_moving.get_or_insert((k, heading));
+        }
         if speed < SLOW_M_S {
-            let heading = eulers.last().map_or(0.0, |last: &Euler| last.heading);
             eulers.push(Euler { roll: 0.0, pitch: 0.0, heading });
             continue;
         }
@@ -97,8 +110,8 @@ pub(super) fn attitudes(
             Error::of(ErrorKind::Discontinuity, "sample.time_s", time_s(k), rule)
         })?;
         let share = (speed / SLOW_M_S - 1.0).min(1.0);
-        eulers.push(Euler { roll: share * euler.roll, pitch: share * euler.pitch, heading: euler.heading });
-        first_moving.get_or_insert((k, euler.heading));
+        let heading = if is_on_course { euler.heading } else { heading };
+        eulers.push(Euler { roll: share * euler.roll, pitch: share * euler.pitch, heading });
     }
     if let Some((first, heading)) = first_moving {
         eulers[..first].iter_mut().for_each(|euler| euler.heading = heading);
@@ -112,7 +125,13 @@ pub(super) fn attitudes(
         values.push(if is_opposite { numbers.map(|number| -number) } else { numbers });
     }
     let cap_hz = path.normals.cutoff_hz.min(CUTOFF_HZ);
-    Curve::through(&Samples { times_s: &times_s, values: &values, sigma: None, cap_hz })
+    Curve::through(&Samples { times_s: &times_s, values: &values, sigma: None, cap_hz, step: 0.0 })
+}
+
+/// Direction of a vector from north, clockwise [rad].
+fn course(v: &Vector3<f64>) -> f64 {
+    let angle = atan2(v.x, v.y);
+    if angle < 0.0 { angle + 2.0 * PI } else { angle }
 }
 
 /// Attitude of a flight along the unit vector `x` with the specific force `f`, both east, north, up; `None`: it is not defined.
@@ -126,10 +145,9 @@ fn euler_of(x: &Vector3<f64>, f: &Vector3<f64>, attack_rad: f64) -> Option<Euler
     let y = z.cross(x);
     let (sine, cosine) = sin_cos(attack_rad);
     let (forward, down) = (x * cosine - z * sine, z * cosine + x * sine);
-    let heading = atan2(forward.x, forward.y);
     Some(Euler {
         roll: atan2(-y.z, -down.z),
         pitch: asin(forward.z.clamp(-1.0, 1.0)),
-        heading: if heading < 0.0 { heading + 2.0 * PI } else { heading },
+        heading: course(&forward),
     })
 }

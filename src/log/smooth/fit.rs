@@ -23,6 +23,14 @@ const LEAST_SHARE: f64 = 0.02;
 /// A row is a spike if it is that many medians beside the cubic of its neighbours.
 const SPIKE: f64 = 50.0;
 
+/// Share of the noise of rounding below which the white noise that a spectrum shows is not that of the steps: the values are stairs.
+const STAIRS: f64 = 0.8;
+
+/// Residuals of rounding are within half a step: within this share of it, but for a hundredth of the rows. Factor of a cut-off to the next.
+const WITHIN_STEP: f64 = 0.6;
+const BEYOND_STEP: f64 = 0.01;
+const FINER: f64 = 1.25;
+
 /// Time over which the squared jerk is averaged, in units of 1/(2π f_c); and bounds of its ratio to the mean.
 const SPAN: f64 = 8.0;
 const JERKS: (f64, f64) = (0.01, 30.0);
@@ -35,6 +43,8 @@ pub(super) struct Samples<'a, const N: usize> {
     pub sigma: Option<f64>,
     /// Largest cut-off [Hz].
     pub cap_hz: f64,
+    /// Step of which the values are multiples, as that of a component; 0: none.
+    pub step: f64,
 }
 
 /// A curve through samples.
@@ -47,6 +57,8 @@ pub(super) struct Curve<const N: usize> {
     span_s: f64,
     /// Cut-off [Hz].
     pub cutoff_hz: f64,
+    /// Usual interval of the samples [s].
+    period_s: f64,
     /// Noise of a component: median of the residuals.
     pub noise: f64,
     /// Rows whose weight is 0.
@@ -70,7 +82,7 @@ impl<const N: usize> Curve<N> {
 
     /// The curve of samples, of which there are at least 16, in the order of time.
     pub fn through(samples: &Samples<'_, N>) -> Result<Self, Error> {
-        let &Samples { times_s, values, sigma, cap_hz } = samples;
+        let &Samples { times_s, values, sigma, cap_hz, step } = samples;
         let (start_s, end_s) = (times_s[0], times_s[times_s.len() - 1]);
         let span_s = end_s - start_s;
         let period_s = median(times_s.windows(2).map(|two| two[1] - two[0]))?;
@@ -79,28 +91,34 @@ impl<const N: usize> Curve<N> {
         weights.resize(times_s.len(), 1.0);
         let without = without_spikes(times_s, values, &mut weights)?;
         let found = spectrum(&even(times_s, &without, period_s)?, period_s)?;
-        let cutoff_hz = found.cutoff_hz.min(cap_hz).max(1.5 / span_s);
+        let lowest_hz = 1.5 / span_s;
+        let mut cutoff_hz = found.cutoff_hz.min(cap_hz).max(lowest_hz);
         let largest = values.iter().flatten().map(|value| value.abs()).fold(0.0, f64::max);
         // Values that are all 0 have no size.
         let size = if largest > 0.0 { largest } else { 1.0 };
-        let sigma = sigma.unwrap_or(0.0).max(found.white).max(1e-12 * size);
+        // Values with steps have their noise, also where they stay the same.
+        let rounding = step / 12f64.sqrt();
+        let is_stairs = found.white < STAIRS * rounding;
+        let sigma = sigma.unwrap_or(0.0).max(found.white).max(1e-12 * size).max(rounding);
         let parabola = parabola(times_s, values);
         let steps = values.windows(2).map(|two| distance(&two[0], &two[1]));
         let least = LEAST_SHARE * median(steps)? / (N as f64).sqrt();
-        let knots = Knots::new(start_s, end_s, period_s.max(1.0 / (16.0 * cutoff_hz)));
-        let empty = Spline::at_rest(knots)?;
+        let knots_of = |cutoff_hz: f64| Knots::new(start_s, end_s, period_s.max(1.0 / (16.0 * cutoff_hz)));
+        let density_of = |cutoff_hz: f64| {
+            let omega = 2.0 * PI * cutoff_hz;
+            omega * omega * omega * omega * omega * omega * sigma * sigma * period_s
+        };
         let mut curve = Self {
-            spline: empty,
+            spline: Spline::at_rest(knots_of(cutoff_hz))?,
             parabola,
             start_s,
             span_s,
             cutoff_hz,
+            period_s,
             noise: 0.0,
             outliers: 0,
             largest: (0.0, start_s),
         };
-        let omega = 2.0 * PI * cutoff_hz;
-        let q = omega * omega * omega * omega * omega * omega * sigma * sigma * period_s;
         let residuals_of = |curve: &Self| -> Result<Vec<f64>, Error> {
             let mut residuals = room(times_s.len())?;
             residuals.extend(
@@ -108,17 +126,38 @@ impl<const N: usize> Curve<N> {
             );
             Ok(residuals)
         };
-        let mut jerks: Vec<f64> = Vec::new();
-        for turn in 0..2 {
-            for round in 0..=ROUNDS {
-                let mut normal = Normal::new(knots)?;
-                for ((time_s, value), weight) in times_s.iter().zip(values).zip(&weights) {
-                    let trend = curve.trend(*time_s);
-                    let rest = core::array::from_fn(|k| value[k] - trend[k]);
-                    normal.add(*time_s, 0, &rest, weight / (sigma * sigma));
+        let fitted = |curve: &Self, weights: &[f64], cutoff_hz: f64, jerks: &[f64]| {
+            let (knots, q) = (knots_of(cutoff_hz), density_of(cutoff_hz));
+            let mut normal = Normal::new(knots)?;
+            for ((time_s, value), weight) in times_s.iter().zip(values).zip(weights) {
+                let trend = curve.trend(*time_s);
+                let rest = core::array::from_fn(|k| value[k] - trend[k]);
+                normal.add(*time_s, 0, &rest, weight / (sigma * sigma));
+            }
+            normal.add_penalty(|time_s| q * density(jerks, &knots, time_s));
+            Ok::<_, Error>(normal.solve())
+        };
+        if is_stairs {
+            // A staircase has the spectrum of motion. The stiffest curve counts whose residuals are those of rounding.
+            let highest_hz = cutoff_hz;
+            cutoff_hz = lowest_hz;
+            while cutoff_hz < highest_hz {
+                curve.spline = fitted(&curve, &weights, cutoff_hz, &[])?;
+                let beyond = residuals_of(&curve)?.iter().filter(|rest| **rest > WITHIN_STEP * step).count();
+                if beyond as f64 <= BEYOND_STEP * values.len() as f64 {
+                    break;
                 }
-                normal.add_penalty(|time_s| q * density(&jerks, &knots, time_s));
-                curve.spline = normal.solve();
+                cutoff_hz *= FINER;
+            }
+            cutoff_hz = cutoff_hz.min(highest_hz);
+            curve.cutoff_hz = cutoff_hz;
+        }
+        let mut jerks: Vec<f64> = Vec::new();
+        // Where stairs have an edge is no manoeuvre.
+        let turns = if is_stairs { 1 } else { 2 };
+        for turn in 0..turns {
+            for round in 0..=ROUNDS {
+                curve.spline = fitted(&curve, &weights, cutoff_hz, &jerks)?;
                 if round == ROUNDS {
                     break;
                 }
@@ -130,7 +169,7 @@ impl<const N: usize> Curve<N> {
                     *weight = (1.0 - u * u) * (1.0 - u * u);
                 }
             }
-            if turn == 0 {
+            if turn + 1 < turns {
                 jerks = jerks_of(&curve.spline, cutoff_hz)?;
             }
         }
@@ -142,6 +181,12 @@ impl<const N: usize> Curve<N> {
             }
         }
         Ok(curve)
+    }
+
+    /// Noise of a component of the first derivative that white noise of the samples leaves: σ 2π f^1.5 √(π T/6).
+    pub fn rate_noise(&self) -> f64 {
+        let root = self.cutoff_hz.sqrt();
+        self.noise * 2.0 * PI * root * root * root * (PI / 6.0 * self.period_s).sqrt()
     }
 
     fn trend(&self, time_s: f64) -> [f64; N] {

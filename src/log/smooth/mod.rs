@@ -7,6 +7,8 @@
 
 mod coordinated;
 mod fit;
+mod fresh;
+mod jumps;
 mod rows;
 mod simplex;
 mod spectrum;
@@ -46,6 +48,17 @@ fn check_steps(span_s: f64, step_s: f64, rows: usize) -> Result<(), Error> {
     Err(Error::invalid("usual_interval_s", step_s, rule))
 }
 
+/// Cut-off over the rate of the rows below which noise was smoothed; length of an end without support, in 1/f_c. Of it, at most a share of
+/// a long flight is cut, or some seconds, of a short flight a larger share.
+const SMOOTHED: f64 = 0.25;
+const END: f64 = 0.5;
+const MOST_OF_LONG: f64 = 0.01;
+const MOST_S: f64 = 3.0;
+const MOST_OF_SHORT: f64 = 0.1;
+
+/// Largest cut-off of the path of a filter, in rates of its corrections: above it is what their jumps leave.
+const CORRECTED: f64 = 0.5;
+
 /// How rows become a path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SmoothOptions {
@@ -82,6 +95,10 @@ pub struct Smoothed {
     /// Times [s] and temperatures [°C] of the rows.
     temperatures: Vec<(f64, f64)>,
     span_s: [f64; 2],
+    /// Time that is cut from the start of the rows: an INS is aligned there, and the path is not supported on both sides [s].
+    pub cut_s: f64,
+    /// Number of jumps that were taken out, and usual time between two of them [s], if the rows are the path of a filter that is corrected.
+    pub corrections: Option<(u64, f64)>,
     /// Rows whose position was left out: from before the first fix, repeats, and rows too near to the row before.
     pub left_out: u64,
     /// Whether the stamps were replaced by those of a steady clock.
@@ -102,31 +119,72 @@ impl Smoothed {
             sigma.map_or(Ok(()), |sigma| check_range(field, sigma, 1e-9, 1e4))?;
         }
         let rows = rows::rows(earth, samples, options.coordinated_attack_rad.is_none())?;
-        let Rows { samples, times_s, attitudes: (turned_s, turned), .. } = &rows;
+        let Rows { samples, times_s, .. } = &rows;
         let middle = samples[samples.len() / 2].place;
         let scale_m = earth.radii(sin_cos(middle.latitude_rad).0).transverse_m;
-        let mut normals = room(samples.len())?;
-        normals.extend(samples.iter().map(|sample| {
+        let mut places = room(samples.len())?;
+        places.extend(samples.iter().map(|sample| {
             let up = earth.east_north_up(&sample.place).2 * scale_m;
-            [up.x, up.y, up.z]
+            [up.x, up.y, up.z, sample.place.height_m]
+        }));
+        let [horizontal_m, up_m] = rows.steps_m;
+        // A filter has a place of its own in each row.
+        let is_live = rows.places.len() == samples.len();
+        let step_m = horizontal_m.max(up_m);
+        let corrections = if is_live { jumps::without_jumps(times_s, &places, step_m)? } else { None };
+        let is_corrected = corrections.as_ref().map(|found| (found.count, found.interval_s));
+        let corrected_hz = is_corrected.map_or(f64::INFINITY, |(_, interval_s)| CORRECTED / interval_s);
+        if let Some(found) = corrections {
+            places = found.places;
+        }
+        let placed_s = times_of(times_s, &rows.places)?;
+        let mut normals = room(placed_s.len())?;
+        normals.extend(rows.places.iter().map(|&row| {
+            let [x, y, z, _] = places[row];
+            [x, y, z]
         }));
         // A normal has two horizontal components in three numbers.
         let sigma = options.position_sigma_m.map(|sigma| sigma * (2.0_f64 / 3.0).sqrt());
-        let normals = Curve::through(&Samples { times_s, values: &normals, sigma, cap_hz: f64::INFINITY })?;
-        let mut heights = room(samples.len())?;
-        heights.extend(samples.iter().map(|sample| [sample.place.height_m]));
-        let period_s = fit::median(times_s.windows(2).map(|two| two[1] - two[0]))?;
-        let cap_hz = step_cutoff_hz(rows.height_step_m, period_s);
-        let heights = Curve::through(&Samples { times_s, values: &heights, sigma: None, cap_hz })?;
+        let step = horizontal_m * (2.0_f64 / 3.0).sqrt();
+        let normals = Curve::through(&Samples {
+            times_s: &placed_s,
+            values: &normals,
+            sigma,
+            cap_hz: corrected_hz,
+            step,
+        })?;
+        let climbed_s = times_of(times_s, &rows.heights)?;
+        let mut heights = room(climbed_s.len())?;
+        heights.extend(rows.heights.iter().map(|&row| [places[row][3]]));
+        let period_s = fit::median(climbed_s.windows(2).map(|two| two[1] - two[0]))?;
+        let cap_hz = step_cutoff_hz(up_m, period_s).min(corrected_hz);
+        let heights = Curve::through(&Samples {
+            times_s: &climbed_s,
+            values: &heights,
+            sigma: None,
+            cap_hz,
+            step: up_m,
+        })?;
+        let turned_s = times_of(times_s, &rows.attitudes)?;
         let quaternions = match options.coordinated_attack_rad {
             Some(_) => Vec::new(),
-            None => quaternions(turned_s, turned)?,
+            None => {
+                let mut eulers = room(turned_s.len())?;
+                eulers.extend(rows.attitudes.iter().map(|&row| samples[row].euler));
+                quaternions(&turned_s, &eulers)?
+            }
         };
         let mut temperatures = room(samples.len())?;
         temperatures.extend(
             times_s.iter().zip(samples).filter_map(|(time_s, sample)| Some((*time_s, sample.temperature_c?))),
         );
-        let span_s = [times_s[0], times_s[times_s.len() - 1]];
+        let mut span_s = [times_s[0], times_s[times_s.len() - 1]];
+        for own_s in [&placed_s, &climbed_s, &turned_s] {
+            span_s = [span_s[0].max(own_s[0]), span_s[1].min(own_s[own_s.len() - 1])];
+        }
+        let start_s = span_s[0];
+        let cutoffs = [(normals.cutoff_hz, placed_s.as_slice()), (heights.cutoff_hz, climbed_s.as_slice())];
+        span_s[0] = supported_s(span_s, &cutoffs);
         let path = coordinated::Path { earth, normals: &normals, heights: &heights };
         let attitudes = match options.coordinated_attack_rad {
             Some(attack_rad) => coordinated::attitudes(&path, span_s, samples.len(), attack_rad)?,
@@ -134,7 +192,13 @@ impl Smoothed {
                 // A quaternion has half of the angle in four numbers.
                 let sigma = options.attitude_sigma_rad.map(|sigma| sigma * (0.75_f64 / 4.0).sqrt());
                 let cap_hz = f64::INFINITY;
-                Curve::through(&Samples { times_s: turned_s, values: &quaternions, sigma, cap_hz })?
+                Curve::through(&Samples {
+                    times_s: &turned_s,
+                    values: &quaternions,
+                    sigma,
+                    cap_hz,
+                    step: 0.0,
+                })?
             }
         };
         Ok(Self {
@@ -144,6 +208,8 @@ impl Smoothed {
             attitudes,
             temperatures,
             span_s,
+            cut_s: span_s[0] - start_s,
+            corrections: is_corrected,
             left_out: rows.left_out,
             is_steady_clock: rows.is_steady_clock,
             findings: rows.findings,
@@ -191,6 +257,29 @@ impl Smoothed {
         let share = if t1 > t0 { ((time_s - t0) / (t1 - t0)).clamp(0.0, 1.0) } else { 0.0 };
         Some(c0 + share * (c1 - c0))
     }
+}
+
+/// The start of the part of a span where curves are supported on both sides, of cut-offs [Hz] and times [s]: a curve that is much smoother
+/// than its rows extrapolates at its ends, with several times the errors.
+fn supported_s(span_s: [f64; 2], curves: &[(f64, &[f64])]) -> f64 {
+    let mut cut_s: f64 = 0.0;
+    for (cutoff_hz, times_s) in curves {
+        let period_s = (times_s[times_s.len() - 1] - times_s[0]) / (times_s.len() - 1) as f64;
+        if cutoff_hz * period_s < SMOOTHED {
+            cut_s = cut_s.max(END / cutoff_hz);
+        }
+    }
+    let length_s = span_s[1] - span_s[0];
+    // A flight that is cut is shorter, and so are the errors that grow in it.
+    let most_s = (MOST_OF_LONG * length_s).max(MOST_S).min(MOST_OF_SHORT * length_s);
+    span_s[0] + cut_s.min(most_s)
+}
+
+/// The times of some rows.
+fn times_of(times_s: &[f64], rows: &[usize]) -> Result<Vec<f64>, Error> {
+    let mut list = room(rows.len())?;
+    list.extend(rows.iter().map(|&row| times_s[row]));
+    Ok(list)
 }
 
 fn part<const N: usize>(curve: &Curve<N>, scale: f64) -> SmoothedPart {

@@ -1,13 +1,15 @@
 //! The rows of a log that a path is fitted to.
 
 use crate::base::error::{Error, Rule};
-use crate::base::math::Euler;
+use crate::base::math::{Euler, attitude_from_euler, relative_rotation, rotation_vector};
 use crate::base::memory::room;
-use crate::earth::Earth;
+use crate::base::units::DEG;
+use crate::earth::{Earth, Geodetic};
 use crate::judge::{Finding, Judge, Kind, MAX_FINDINGS};
 use crate::truth::FlightSample;
 
 use super::fit::median;
+use super::fresh::Quantity;
 
 /// Rows that a fit needs.
 const LEAST: usize = 20;
@@ -20,25 +22,27 @@ const GAP_INTERVALS: f64 = 30.0;
 /// Share of the usual interval below which a row is too near to the row before.
 const NEAR: f64 = 0.2;
 
-/// Share of held rows above which the receiver is slower than the rows, and share of the mean speed below which a row does not move.
-const HELD: f64 = 0.03;
-const MOVING: f64 = 0.05;
+/// Edges that stairs need, and share of them that may follow each other.
+const LEAST_EDGES: u32 = 4;
+const NEIGHBOURS: f64 = 0.2;
 
-/// Intervals of the receiver without a new fix behind which it froze, and share of these rows that have a new attitude if that did not.
-const FROZEN: f64 = 3.0;
-const LIVE: f64 = 0.5;
+/// Steps of angles that logs have [deg], the coarsest first; and steps over which angles must extend to have them.
+const ANGLES_DEG: [f64; 5] = [1.0, 0.5, 0.1, 0.05, 0.01];
+const LEAST_STEPS: f64 = 4.0;
 
 /// Rows that were kept, with the times of a steady clock if the stamps scatter about one.
 pub(super) struct Rows {
     pub samples: Vec<FlightSample>,
     pub times_s: Vec<f64>,
-    /// Times and attitudes: also those of rows whose fix froze.
-    pub attitudes: (Vec<f64>, Vec<Euler>),
+    /// The rows on which latitude and longitude, the height, and the attitude are new.
+    pub places: Vec<usize>,
+    pub heights: Vec<usize>,
+    pub attitudes: Vec<usize>,
     pub is_steady_clock: bool,
     /// Rows whose position was left out: from before the first fix, repeats, and rows too near to the row before.
     pub left_out: u64,
-    /// The step of the heights [m]; 0: none.
-    pub height_step_m: f64,
+    /// The steps of the horizontal positions and of the heights [m]; 0: none.
+    pub steps_m: [f64; 2],
     /// What was found in all rows.
     pub findings: Vec<Finding>,
 }
@@ -68,30 +72,116 @@ pub(super) fn rows(earth: &Earth, samples: &[FlightSample], has_attitude: bool) 
             return Err(Error::invalid("gap_s", gap_s, rule).at(zeros + index + 1));
         }
     }
-    let mut list: Vec<FlightSample> = room(kept.len())?;
-    let mut attitudes = (room(kept.len())?, room(kept.len())?);
-    fresh(earth, kept, |row, is_fix| {
-        if is_fix {
-            list.push(*row);
-        }
-        attitudes.0.push(row.time_s);
-        attitudes.1.push(row.euler);
-    })?;
-    if list.len() < LEAST {
-        let rule = Rule::AtLeast("rows that are not repeats, to fit a path to them:", (LEAST as u64).into());
-        return Err(Error::invalid("samples", list.len() as u64, rule));
-    }
+    let list = apart(kept)?;
     let mut times_s = room(list.len())?;
     times_s.extend(list.iter().map(|sample| sample.time_s));
-    if is_steady_clock {
+    if is_steady_clock && list.len() >= LEAST {
         steady(&mut times_s)?;
-        steady(&mut attitudes.0)?;
     }
-    let left_out = (samples.len() - list.len()) as u64;
+    let [horizontal_m, judged_m] = judge.steps_m();
+    let height_step_m = judged_m.max(stairs_m(&list));
+    let places = Quantity {
+        times_s: &times_s,
+        is_equal: &|k| is_over(&list[k].place, &list[k - 1].place),
+        distance: &|a, b| {
+            let level = |k: usize| Geodetic { height_m: 0.0, ..list[k].place };
+            earth.displacement(&level(a), &level(b)).0.norm_squared().sqrt()
+        },
+        step: horizontal_m,
+    };
+    let places = places.fresh()?;
+    if places.len() < LEAST {
+        let rule = Rule::AtLeast("rows that are not repeats, to fit a path to them:", (LEAST as u64).into());
+        return Err(Error::invalid("samples", places.len() as u64, rule));
+    }
+    let heights = Quantity {
+        times_s: &times_s,
+        is_equal: &|k| list[k].place.height_m == list[k - 1].place.height_m,
+        distance: &|a, b| (list[a].place.height_m - list[b].place.height_m).abs(),
+        step: height_step_m,
+    };
+    let heights = not_repeated(heights.fresh()?, &places, heights.is_equal);
+    let attitudes = Quantity {
+        times_s: &times_s,
+        is_equal: &|k| list[k].euler == list[k - 1].euler,
+        distance: &|a, b| angle(&list[a].euler, &list[b].euler),
+        step: angle_step(&list),
+    };
+    let attitudes = not_repeated(attitudes.fresh()?, &places, attitudes.is_equal);
     let mut findings = room(MAX_FINDINGS)?;
     findings.extend(judge.findings());
-    let height_step_m = judge.height_step_m();
-    Ok(Rows { samples: list, times_s, attitudes, is_steady_clock, left_out, height_step_m, findings })
+    Ok(Rows {
+        left_out: (samples.len() - places.len()) as u64,
+        samples: list,
+        times_s,
+        places,
+        heights,
+        attitudes,
+        is_steady_clock,
+        steps_m: [horizontal_m, height_step_m],
+        findings,
+    })
+}
+
+/// The rows of `fresh` without those that repeat a value together with the position: they repeat the whole record. Fewer than a fit needs
+/// are the rows of the positions.
+fn not_repeated(mut fresh: Vec<usize>, places: &[usize], is_equal: &dyn Fn(usize) -> bool) -> Vec<usize> {
+    fresh.retain(|&row| row == 0 || places.binary_search(&row).is_ok() || !is_equal(row));
+    if fresh.len() < LEAST { places.to_vec() } else { fresh }
+}
+
+/// Whether two places are over one point of the ellipsoid.
+fn is_over(a: &Geodetic, b: &Geodetic) -> bool {
+    a.latitude_rad == b.latitude_rad && a.longitude_rad == b.longitude_rad
+}
+
+/// The step of heights that stay the same for several rows and then change by multiples of it [m]; 0: they do not. Any step counts, not
+/// only those that logs usually have.
+fn stairs_m(samples: &[FlightSample]) -> f64 {
+    let changes = || samples.windows(2).map(|two| (two[1].place.height_m - two[0].place.height_m).abs());
+    let least_m = changes().filter(|change| *change > 0.0).fold(f64::INFINITY, f64::min);
+    let is_multiple = |change: f64| {
+        let multiple = change / least_m;
+        (multiple - multiple.round()).abs() < 0.02 * multiple.max(1.0)
+    };
+    let (mut edges, mut neighbours, mut was_edge) = (0_u32, 0_u32, false);
+    for change in changes() {
+        let is_edge = change > 0.0;
+        if is_edge && !is_multiple(change) {
+            return 0.0;
+        }
+        edges += u32::from(is_edge);
+        neighbours += u32::from(is_edge && was_edge);
+        was_edge = is_edge;
+    }
+    if edges >= LEAST_EDGES && f64::from(neighbours) < NEIGHBOURS * f64::from(edges) { least_m } else { 0.0 }
+}
+
+/// Angle between two attitudes [rad].
+fn angle(a: &Euler, b: &Euler) -> f64 {
+    let [a, b] = [a, b].map(attitude_from_euler);
+    rotation_vector(&relative_rotation(&a, &b)).norm_squared().sqrt()
+}
+
+/// The step of which all angles of the attitude are multiples [rad]; 0: none.
+fn angle_step(samples: &[FlightSample]) -> f64 {
+    let angles = |sample: &FlightSample| [sample.euler.roll, sample.euler.pitch, sample.euler.heading];
+    let is_step = |step: f64| {
+        let is_multiple = |angle: f64| {
+            let multiple = angle / step;
+            (multiple - multiple.round()).abs() < 0.02
+        };
+        samples.iter().all(|sample| angles(sample).into_iter().all(is_multiple))
+    };
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for sample in samples {
+        for (k, angle) in angles(sample).into_iter().enumerate() {
+            (low[k], high[k]) = (low[k].min(angle), high[k].max(angle));
+        }
+    }
+    let extent = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+    let steps = ANGLES_DEG.map(|degrees| degrees * DEG);
+    steps.into_iter().find(|step| extent >= LEAST_STEPS * step && is_step(*step)).unwrap_or(0.0)
 }
 
 /// The usual interval of `samples` [s].
@@ -99,83 +189,16 @@ fn usual_s(samples: &[FlightSample]) -> Result<f64, Error> {
     median(samples.windows(2).map(|two| two[1].time_s - two[0].time_s))
 }
 
-/// Keeps the first row of each run of equal positions while the vehicle moves; at rest a row for each interval of the receiver; and none
-/// nearer to the row before than a fifth of the usual interval. Rows of a receiver that froze are kept for their attitude, if it is live:
-/// `keep` gets false.
-fn fresh(
-    earth: &Earth,
-    samples: &[FlightSample],
-    mut keep: impl FnMut(&FlightSample, bool),
-) -> Result<(), Error> {
-    let count = samples.len();
-    let usual_s = usual_s(samples)?;
-    let mut path_m: Vec<f64> = room(count)?;
-    let mut length_m = 0.0;
-    path_m.push(0.0);
-    for two in samples.windows(2) {
-        length_m += earth.displacement(&two[0].place, &two[1].place).0.norm_squared().sqrt();
-        path_m.push(length_m);
-    }
-    let is_held = |k: usize| {
-        let (before, now) = (&samples[k - 1].place, &samples[k].place);
-        before.latitude_rad == now.latitude_rad && before.longitude_rad == now.longitude_rad
-    };
-    let speed =
-        |from: usize, to: usize| (path_m[to] - path_m[from]) / (samples[to].time_s - samples[from].time_s);
-    let held = (1..count).filter(|&k| is_held(k)).count();
-    let is_slow = held as f64 > HELD * count as f64 && length_m > 0.0;
-    let mean = if count > 1 { speed(0, count - 1) } else { 0.0 };
-    let reach = (count / 200).max(1);
-    // For each row, the one behind the run of equal positions that it belongs to, and the first of the run.
-    let mut run_of: Vec<[usize; 2]> = room(count)?;
-    let mut first = 0;
-    while first < count {
-        let next = (first + 1..count).find(|&k| !is_held(k)).unwrap_or(count);
-        run_of.extend((first..next).map(|_| [first, next.min(count - 1)]));
-        first = next;
-    }
-    // Fixes that froze end with the way that was made meanwhile. An outlier behind a rest is followed by the place of the rest.
-    let through_run = |[first, next]: [usize; 2]| {
-        let way_m = |k: usize| {
-            let (way, _) = earth.displacement(&samples[first].place, &samples[k.min(count - 1)].place);
-            way.norm_squared().sqrt()
-        };
-        let time_s = samples[next].time_s - samples[first].time_s;
-        if time_s > 0.0 { way_m(next).min(way_m(next + 1)) / time_s } else { 0.0 }
-    };
-    let moves = |k: usize| {
-        let near = speed(k.saturating_sub(reach), (k + reach).min(count - 1));
-        !is_slow || near > MOVING * mean || through_run(run_of[k]) > MOVING * mean
-    };
-    // The interval of the receiver.
-    let mut fresh_s: Vec<f64> = room(count)?;
-    if is_slow {
-        fresh_s.extend((1..count).filter(|&k| !is_held(k) && moves(k)).map(|k| samples[k].time_s));
-    }
-    let receiver_s = if is_slow { median(fresh_s.windows(2).map(|two| two[1] - two[0]))? } else { usual_s };
-    let is_turned = |k: usize| samples[k].euler != samples[k - 1].euler;
-    let is_live = |[first, next]: [usize; 2]| {
-        let turned = (first + 1..next).filter(|&k| is_turned(k)).count();
-        samples[next].time_s - samples[first].time_s > FROZEN * receiver_s
-            && turned as f64 > LIVE * (next - first - 1) as f64
-    };
-    let (mut last_s, mut last_attitude_s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    let mut live_run = None;
-    for (k, sample) in samples.iter().enumerate() {
-        let since_s = sample.time_s - last_s;
-        let is_fresh = k == 0 || !is_held(k);
-        if is_fresh {
-            live_run = Some(run_of[k]).filter(|run| is_live(*run));
-        }
-        if since_s >= NEAR * usual_s && (is_fresh || !moves(k) && since_s > 0.9 * receiver_s) {
-            keep(sample, true);
-            (last_s, last_attitude_s) = (sample.time_s, sample.time_s);
-        } else if live_run.is_some() && sample.time_s - last_attitude_s >= NEAR * usual_s {
-            keep(sample, false);
-            last_attitude_s = sample.time_s;
+/// The rows that are not nearer to the row before than a fifth of the usual interval.
+fn apart(samples: &[FlightSample]) -> Result<Vec<FlightSample>, Error> {
+    let least_s = NEAR * usual_s(samples)?;
+    let mut list: Vec<FlightSample> = room(samples.len())?;
+    for sample in samples {
+        if list.last().is_none_or(|last| sample.time_s - last.time_s >= least_s) {
+            list.push(*sample);
         }
     }
-    Ok(())
+    Ok(list)
 }
 
 /// Replaces the stamps by those of a steady clock: the line through them over the number of usual intervals.
