@@ -47,7 +47,7 @@ impl<'m> Reading<'m> {
 
     /// Takes the row on `line`.
     pub fn row(&mut self, cells: Cells<'_>, line: u64) -> Result<(), LogError> {
-        let Some(sample) = self.table.sample(&cells, line)? else {
+        let Some(sample) = self.table.sample(&cells, line, self.log.samples.last())? else {
             self.left_out.get_or_insert((0, line)).0 += 1;
             return Ok(());
         };

@@ -7,7 +7,8 @@ use super::clock::Clock;
 use super::columns::{COUNT, Column, Columns, has, has_quaternion};
 use super::hemisphere::{sides, signed};
 use super::quantity::{
-    FORCE, FORWARD, GEOID, Q0, RATE, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY, name, quantity_of,
+    FORCE, FORWARD, GEOID, LATITUDE, Q0, RATE, ROLL, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY, name,
+    quantity_of,
 };
 use super::{LogError, LogMapping, MAX_LINE, Separator, fault};
 use crate::base::error::Error;
@@ -150,8 +151,16 @@ pub enum Cells<'r> {
 }
 
 impl Table<'_> {
-    /// The sample of a row, with each value in its range; `None`: a value is missing.
-    pub fn sample(&mut self, cells: &Cells<'_>, line: u64) -> Result<Option<FlightSample>, LogError> {
+    /// The sample of a row, with each value in its range; `None`: a value is missing. Where a path is fitted to a log with an attitude, a
+    /// row without a fix repeats that of `last`, the row before, so that its attitude counts.
+    pub fn sample(
+        &mut self,
+        cells: &Cells<'_>,
+        line: u64,
+        last: Option<&FlightSample>,
+    ) -> Result<Option<FlightSample>, LogError> {
+        let last = last.filter(|_| self.mapping.smooths() && !self.mapping.is_coordinated);
+        let mut has_fix = true;
         let mut values = [0.0; COUNT];
         // A row without times has the next one, whatever is missing.
         let mut is_whole = true;
@@ -176,7 +185,10 @@ impl Table<'_> {
                 }
             };
             let Some(number) = number else {
-                is_whole = false;
+                match is_of_fix(quantity) && last.is_some() {
+                    true => has_fix = false,
+                    false => is_whole = false,
+                }
                 continue;
             };
             let factor = if is_time && !self.clock.is_number() { 1.0 } else { column.factor };
@@ -189,7 +201,10 @@ impl Table<'_> {
         if !is_whole {
             return Ok(None);
         }
-        let sample = self.of_values(&values);
+        let mut sample = self.of_values(&values);
+        if let Some(last) = last.filter(|_| !has_fix) {
+            (sample.place, sample.v_n) = (last.place, last.v_n);
+        }
         sample.validate().map_err(|error| match (out_of_range(&error, line, &self.columns), cells) {
             // A record has no columns.
             (LogError::Fault(found), Cells::Numbers(_)) => LogError::Fault(Fault { column: 1, ..found }),
@@ -280,6 +295,13 @@ fn number_of(
     Ok(number)
 }
 
+/// Whether a quantity is one of a fix: of the position or of the velocity.
+fn is_of_fix(quantity: usize) -> bool {
+    (LATITUDE..ROLL).contains(&quantity)
+        || (VELOCITY..VELOCITY + 3).contains(&quantity)
+        || (SPEED..FORWARD).contains(&quantity)
+}
+
 /// What stands in a cell without a value.
 const NOTHING: [&str; 9] = ["", "nan", "-nan", "na", "n/a", "null", "none", "-", "--"];
 
@@ -344,6 +366,25 @@ mod tests {
             assert_eq!(part_of(text, 0), Some(text));
         }
         assert_eq!(part_of("N/A", 2), Some("N/A"));
+    }
+
+    /// An attitude between two fixes counts where a path is fitted, and not before the first fix.
+    #[test]
+    fn an_attitude_without_a_fix_is_read() {
+        let read = |keys: &str| {
+            let scene =
+                Scene::parse(format!("[flight]\nfile = \"a.csv\"\n[log]\n{keys}").as_bytes()).unwrap();
+            let table = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n\
+                0,,,,1,0,0\n1,48,11,500,2,0,0\n2,,,,3,0,0\n3,48,,500,4,0,0\n4,48,11,501,5,0,0\n5,48,11,501,,0,0\n";
+            let log = FlightLog::parse_with(table.as_bytes(), &scene.log).unwrap();
+            let rolls = log.samples().iter().map(|sample| sample.euler.roll.to_degrees().round() as u32);
+            (rolls.collect::<Vec<_>>(), log.samples()[1].place.height_m, log.notes()[0].sentence.clone())
+        };
+        let (rolls, height_m, note) = read("smooth = \"auto\"\n");
+        assert_eq!((rolls, height_m), (vec![2, 3, 4, 5], 500.0));
+        assert_eq!(note, "2 rows are left out, the first here: a value is missing");
+        let (rolls, ..) = read("roll = \"roll_deg\"\n");
+        assert_eq!(rolls, [2, 5]);
     }
 
     #[test]
