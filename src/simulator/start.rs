@@ -5,7 +5,8 @@ use nalgebra::{Matrix3, Vector3};
 use super::{Imperfections, Options, singular};
 use crate::base::error::Error;
 use crate::base::math::{
-    relative_rotation, rotate, rotate_inverse, rotation_matrix, rotation_quaternion, rotation_vector, sin_cos,
+    Euler, attitude_from_euler, relative_rotation, rotate, rotate_inverse, rotation_matrix,
+    rotation_quaternion, rotation_vector, sin_cos,
 };
 use crate::earth::Earth;
 use crate::earth::state::{EarthFixedState, Navigation, StateErrors};
@@ -63,6 +64,23 @@ impl Start {
     }
 }
 
+/// The attitude in which a vehicle was aligned at rest that is in motion and tilted at `first`: level, with its heading. No vehicle rests
+/// banked, and an alignment compensates errors of the sensors in its own attitude alone.
+fn as_it_rested(
+    first: &TruthPoint,
+    state: &EarthFixedState,
+    truth: &Navigation,
+) -> (EarthFixedState, Navigation) {
+    let Some(euler) = first.tilted_in_motion() else { return (*state, *truth) };
+    let level = attitude_from_euler(&Euler { roll: 0.0, pitch: 0.0, ..euler });
+    let turn_n = level * attitude_from_euler(&euler).conjugate();
+    let turn_b = truth.q_nb.conjugate() * turn_n * truth.q_nb;
+    (
+        EarthFixedState { q_eb: state.q_eb * turn_b, ..*state },
+        Navigation { q_nb: turn_n * truth.q_nb, ..*truth },
+    )
+}
+
 /// Result of an alignment at rest at `state`.
 fn aligned(
     alignment: sensors::Alignment,
@@ -72,6 +90,7 @@ fn aligned(
     disturbance_e: &Vector3<f64>,
     imperfections: &mut Imperfections,
 ) -> Result<Aligned, Error> {
+    let (state, truth) = &as_it_rested(first, state, truth);
     let at_rest = AtRest::new(alignment, earth, state, truth, disturbance_e)?;
     let t = imperfections.set().initial.alignment_s;
     let error_n = |triad: &mut Triad| {
@@ -155,12 +174,14 @@ impl AtRest {
 pub(super) fn alignment(
     alignment: sensors::Alignment,
     earth: &Earth,
+    first: &TruthPoint,
     state: &EarthFixedState,
     truth: &Navigation,
 ) -> Option<SteadyAlignment> {
     if alignment == sensors::Alignment::Given {
         return None;
     }
+    let (state, truth) = &as_it_rested(first, state, truth);
     let at_rest = AtRest::new(alignment, earth, state, truth, &Vector3::zeros()).ok()?;
     let none = Vector3::zeros();
     let share = |ideal_n: &Vector3<f64>, axis: usize| 1e-5 * ideal_n[axis].abs();

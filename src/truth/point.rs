@@ -137,6 +137,11 @@ impl TruthPoint {
         self.sample.omega_ib_b
     }
 
+    /// Attitude of the vehicle if it is banked or pitched in flight, see [`FlightSample::is_tilted_in_motion`].
+    pub fn tilted_in_motion(&self) -> Option<Euler> {
+        self.sample.is_tilted_in_motion().then_some(self.sample.euler)
+    }
+
     /// Temperature of the gyros and accelerometers [°C], if the host gave it.
     pub fn temperature_c(&self) -> Option<f64> {
         self.sample.temperature_c

@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 
 use crate::base::error::{Error, check_range, check_ranges, check_temperature};
-use crate::base::math::Euler;
+use crate::base::math::{Euler, sin_cos};
 use crate::base::snapshot::{ANY, Numbers, Reader, Stored, Writer};
+use crate::base::units::DEG;
 use crate::earth::Geodetic;
 
 /// True position, velocity and attitude at an instant, as a flight simulator gives them.
@@ -31,6 +32,10 @@ pub(crate) fn check_height(field: &'static str, height_m: f64) -> Result<(), Err
     let (low, high) = FlightSample::HEIGHT_RANGE_M;
     check_range(field, height_m, low, high)
 }
+
+/// Speed above which a vehicle is not at rest [m/s], and tilt that none at rest has [rad].
+const MOVES_M_S: f64 = 2.0;
+const TILTED_RAD: f64 = 10.0 * DEG;
 
 /// Bits of a stored sample: it has no velocity, has a rate, has a force, has a temperature.
 const NO_VELOCITY: usize = 1;
@@ -121,6 +126,14 @@ impl FlightSample {
             Some(temperature_c) => check_temperature("sample.temperature_c", temperature_c),
             None => Ok(()),
         }
+    }
+
+    /// Whether the vehicle is in motion, and tilted as none is at rest: faster than 2 m/s, by its own velocity, and more than 10
+    /// degrees from level.
+    pub fn is_tilted_in_motion(&self) -> bool {
+        let cosine = sin_cos(self.euler.roll).1 * sin_cos(self.euler.pitch).1;
+        self.v_n.is_some_and(|v_n| v_n.norm_squared() > MOVES_M_S * MOVES_M_S)
+            && cosine < sin_cos(TILTED_RAD).1
     }
 
     /// The sample at rest relative to `earth`, for tests and examples: position and attitude as given, no velocity.

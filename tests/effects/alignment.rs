@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use sins::earth::state::BodyAxes;
 use sins::earth::{Earth, Geodetic};
 use sins::math::{Euler, rotation_quaternion, wrap_angle};
 use sins::mechanization::VerticalMode;
@@ -375,4 +376,34 @@ fn the_vertical_channel_does_not_matter() {
     damped.set_accel(&accel).unwrap();
     damped.set_initial_errors(&ALIGNED).unwrap();
     assert_eq!(start(&mut damped, &askew()), follow);
+}
+
+/// A vehicle that begins its flight in a bank was not aligned in it: its misalignment is that of a level one with its heading. At rest, and
+/// with a small tilt, its own attitude counts.
+#[test]
+fn a_flight_that_begins_in_a_bank_was_aligned_level() {
+    let misalignment = |roll: f64, pitch: f64, speed: f64, body_axes| {
+        let options = Options { axes: body_axes, ..options_at(RATE_HZ) };
+        let mut simulator = Simulator::new(&options).unwrap();
+        simulator.set_gyro(&gyros(0.02, 0.03, -0.05)).unwrap();
+        simulator.set_accel(&biased(1e-3 * G, -2e-3 * G, 5e-4 * G)).unwrap();
+        simulator.set_initial_errors(&ALIGNED).unwrap();
+        let place = Geodetic { latitude_rad: 0.7, longitude_rad: 0.2, height_m: 1000.0 };
+        let euler = Euler { roll, pitch, heading: 1.1 };
+        let mut sample = FlightSample::at_rest(0.0, place, euler);
+        sample.v_n = Some(Vector3::new(speed, 0.5 * speed, 0.0));
+        simulator.push_sample(&sample).unwrap();
+        simulator.errors(ErrorSource::Navigation).unwrap().unwrap().1.misalignment_n
+    };
+    for axes in [BodyAxes::RightForwardUp, BodyAxes::ForwardRightDown] {
+        let level = misalignment(0.0, 0.0, 0.0, axes);
+        for (roll, pitch) in [(30.0, 4.0), (-60.0, 0.0), (0.0, 45.0), (170.0, 10.0)] {
+            let banked = misalignment(roll * DEG, pitch * DEG, 60.0, axes);
+            assert!((banked - level).norm() < 1e-12, "{axes:?} {roll} {pitch}: {banked:?}, level {level:?}");
+            let at_rest = misalignment(roll * DEG, pitch * DEG, 0.0, axes);
+            assert!((at_rest - level).norm() > 1e-4, "{axes:?} {roll} {pitch}: {at_rest:?}");
+        }
+        let tilts = [0.0, 60.0].map(|speed| misalignment(5.0 * DEG, 3.0 * DEG, speed, axes));
+        assert!((tilts[0] - tilts[1]).norm() < 1e-12 && (tilts[0] - level).norm() > 1e-5);
+    }
 }

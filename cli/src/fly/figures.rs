@@ -103,8 +103,9 @@ impl<'a> Figures<'a> {
         let speed_m_s = self.flown.speed_at_start_m_s;
         let aligned = match speed_m_s > AT_REST_M_S {
             true => format!(
-                "aligned as at rest (the flight begins in motion, at {} m/s)",
-                six_digits((10.0 * speed_m_s).round() / 10.0)
+                "aligned as at rest (the flight begins in motion, at {} m/s{})",
+                six_digits((10.0 * speed_m_s).round() / 10.0),
+                if self.flown.is_levelled { ", tilted; aligned level" } else { "" }
             ),
             false => "aligned at rest".to_owned(),
         };

@@ -53,6 +53,8 @@ pub struct Flown {
     pub beyond_range: [u64; 2],
     /// Speed of the vehicle at its first sample [m/s].
     pub speed_at_start_m_s: f64,
+    /// Whether it then is in motion and tilted: it was aligned level.
+    pub is_levelled: bool,
     /// Time that the steps took [s].
     pub seconds: f64,
     /// Largest |error| of the records: position [m], velocity [m/s], misalignment [rad].
@@ -204,6 +206,7 @@ impl InFlight {
         if let Some(first) = self.first.take() {
             let earth = self.play.itinerary().scene().simulator_options().earth();
             self.flown.speed_at_start_m_s = speed_m_s(&earth, &first, &sample);
+            self.flown.is_levelled = first.is_tilted_in_motion();
         }
         self.flown.steps += 1;
         let simulator = self.play.simulator();

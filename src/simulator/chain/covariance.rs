@@ -31,7 +31,7 @@ impl Chain {
                     velocity_n: initial.velocity_sigma_n,
                     misalignment_n: initial.misalignment_sigma_n,
                 },
-                alignment: alignment(initial.alignment, &self.earth, &state, &truth),
+                alignment: alignment(initial.alignment, &self.earth, first, &state, &truth),
                 alignment_s: initial.alignment_s,
             };
             covariance.start(&start, &imperfections.parameters());
