@@ -183,8 +183,7 @@ impl Smoothed {
             span_s = [span_s[0].max(own_s[0]), span_s[1].min(own_s[own_s.len() - 1])];
         }
         let start_s = span_s[0];
-        let cutoffs = [(normals.cutoff_hz, placed_s.as_slice()), (heights.cutoff_hz, climbed_s.as_slice())];
-        span_s[0] = supported_s(span_s, &cutoffs);
+        span_s[0] = supported_s(span_s, normals.cutoff_hz, &placed_s);
         let path = coordinated::Path { earth, normals: &normals, heights: &heights };
         let attitudes = match options.coordinated_attack_rad {
             Some(attack_rad) => coordinated::attitudes(&path, span_s, samples.len(), attack_rad)?,
@@ -259,20 +258,19 @@ impl Smoothed {
     }
 }
 
-/// The start of the part of a span where curves are supported on both sides, of cut-offs [Hz] and times [s]: a curve that is much smoother
-/// than its rows extrapolates at its ends, with several times the errors.
-fn supported_s(span_s: [f64; 2], curves: &[(f64, &[f64])]) -> f64 {
-    let mut cut_s: f64 = 0.0;
-    for (cutoff_hz, times_s) in curves {
-        let period_s = (times_s[times_s.len() - 1] - times_s[0]) / (times_s.len() - 1) as f64;
-        if cutoff_hz * period_s < SMOOTHED {
-            cut_s = cut_s.max(END / cutoff_hz);
-        }
-    }
+/// The first of the times of rows from which a curve through them is supported on both sides: one that is much smoother than its rows
+/// extrapolates at its ends, with several times the errors.
+fn supported_s(span_s: [f64; 2], cutoff_hz: f64, times_s: &[f64]) -> f64 {
     let length_s = span_s[1] - span_s[0];
+    let period_s = length_s / (times_s.len() - 1) as f64;
+    if cutoff_hz * period_s >= SMOOTHED {
+        return span_s[0];
+    }
     // A flight that is cut is shorter, and so are the errors that grow in it.
     let most_s = (MOST_OF_LONG * length_s).max(MOST_S).min(MOST_OF_SHORT * length_s);
-    span_s[0] + cut_s.min(most_s)
+    let cut_s = span_s[0] + (END / cutoff_hz).min(most_s);
+    // The steps of the path stay those of the rows.
+    times_s.iter().copied().find(|time_s| *time_s >= cut_s).unwrap_or(span_s[0])
 }
 
 /// The times of some rows.
