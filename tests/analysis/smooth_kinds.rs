@@ -1,5 +1,5 @@
-//! Kinds of logs that a path must not take for something else: climbs over one place, stairs of heights, filters that jump, attitudes that are
-//! live beside slow fixes, slow vehicles without an attitude, and the start of a path.
+//! Kinds of logs that a path must not take for something else: climbs over one place, stairs of heights, filters that jump, attitudes that
+//! are live beside slow fixes, slow vehicles without an attitude, and the start of a path.
 
 use nalgebra::Vector3;
 use sins::earth::Earth;
@@ -116,8 +116,8 @@ fn a_live_attitude_keeps_its_bandwidth() {
     assert!(roll < 0.1 * DEG && place < 1.0);
 }
 
-/// Heights in steps: of 25 ft, and of 5 m, which few logs have; of transports, and of a ship, whose heave does not show. The acceleration is
-/// that of the flight, and the steps are said as noise.
+/// Heights in steps: of 25 ft, and of 5 m, which few logs have; of aeroplanes, and of a ship, whose heave does not show. The acceleration
+/// is that of the flight, and the steps are said as noise.
 #[test]
 fn stairs_of_heights_are_no_motion() {
     let ship = vehicle("ship", 10.0, |t| {
