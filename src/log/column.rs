@@ -40,7 +40,8 @@ pub struct LogColumn {
     pub scale: f64,
     /// Added to the value, in the unit that it has without a stated one.
     pub add: f64,
-    /// File beside the log that has the column; empty: the log itself. `FlightLog::parse_files` joins them.
+    /// File beside the log that has the column; empty: the log itself.
+    /// [`FlightLog::parse_files`](super::FlightLog::parse_files) joins them.
     pub file: String,
     /// Which part of a cell of several values it is, from 1; 0: the whole cell.
     pub part: usize,

@@ -3,10 +3,10 @@
 
 use nalgebra::Vector3;
 use sins::earth::Earth;
-use sins::math::{Euler, wrap_angle};
-use sins::truth::FlightSample;
 use sins::judge::Judge;
 use sins::log::smooth::{SmoothOptions, Smoothed};
+use sins::math::{Euler, wrap_angle};
+use sins::truth::FlightSample;
 
 use crate::judge::faults::{Draws, each, move_by, noisy};
 use crate::judge::flights::{Good, Samples, drone_over_one_place, scene, vehicle, without_velocities};
