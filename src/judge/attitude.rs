@@ -40,7 +40,7 @@ const HEADINGS: [(&str, f64); 4] = [
 ];
 
 /// Share of the squared turns of the track that those of a heading leave unexplained at most, of a vehicle whose nose leads its track.
-const FOLLOWS: f64 = 0.5;
+const FOLLOWS: f64 = 0.8;
 
 /// A sum of unit vectors in the plane.
 #[derive(Debug, Clone, Copy)]

@@ -94,6 +94,18 @@ pub fn drone_over_one_place(rate_hz: f64) -> Good {
     })
 }
 
+/// Its climb is that of the air, and its nose hardly follows: by pitch alone, its height could be in feet.
+pub fn glider_in_thermals(rate_hz: f64) -> Good {
+    vehicle("glider in thermals", rate_hz, |t| {
+        let climb =
+            3.0 * (eased(t, 40.0, 55.0) - eased(t, 180.0, 195.0)) + 4.0 * eased(t, 300.0, 315.0) - 1.5;
+        let turn = 0.25 * (eased(t, 40.0, 46.0) - eased(t, 180.0, 186.0) + eased(t, 300.0, 306.0));
+        let heading = 0.25 * (t - 43.0).clamp(0.0, 140.0) + 0.25 * (t - 303.0).max(0.0);
+        let v = Vector3::new(27.0 * heading.sin() + 6.0, 27.0 * heading.cos() - 3.0, climb);
+        (v, Euler { roll: (27.0 * turn / 9.81).atan(), pitch: 0.05 + 0.3 * climb / 27.0, heading })
+    })
+}
+
 /// Vehicles that do not fly like aeroplanes, at 50 Hz.
 pub fn vehicles() -> Vec<Good> {
     let level = |heading: f64| Euler { roll: 0.0, pitch: 0.0, heading };
@@ -152,16 +164,6 @@ pub fn vehicles() -> Vec<Good> {
             let (bank, along) = (0.1 * (0.11 * t).cos(), track - heading);
             let euler = Euler { roll: bank * along.cos(), pitch: bank * along.sin(), heading };
             (forward(9.0 + 3.0 * (0.13 * t).sin(), track), euler)
-        }),
-        // Its climb is that of the air, and its nose points to the horizon.
-        vehicle("glider in thermals", 50.0, |t| {
-            let climb =
-                3.0 * (eased(t, 40.0, 55.0) - eased(t, 180.0, 195.0)) + 4.0 * eased(t, 300.0, 315.0) - 1.5;
-            let turn = 0.25 * (eased(t, 40.0, 46.0) - eased(t, 180.0, 186.0) + eased(t, 300.0, 306.0));
-            let heading = 0.25 * (t - 43.0).clamp(0.0, 140.0) + 0.25 * (t - 303.0).max(0.0);
-            let roll = (27.0 * turn / 9.81).atan();
-            let v = forward(27.0, heading) + Vector3::new(6.0, -3.0, climb);
-            (v, Euler { roll, pitch: 0.05 + 0.3 * climb / 27.0, heading })
         }),
         vehicle("drone at rest", 50.0, |_| (Vector3::zeros(), level(1.0))),
         // Turns on the spot: its heading passes through north again and again.

@@ -41,6 +41,18 @@ fn good_flights_are_not_doubtful() {
     assert!(flights.len() >= 20 && count == 12 * flights.len(), "{count} of {} flights", flights.len());
 }
 
+/// Velocities show the unit of the climb, whatever the nose of a glider does.
+#[test]
+fn velocities_refute_a_height_in_feet() {
+    for rate_hz in [50.0, 10.0, 1.0] {
+        let doubts: Vec<_> = judged(&flights::glider_in_thermals(rate_hz).samples)
+            .into_iter()
+            .filter(|finding| finding.level >= Level::Doubtful)
+            .collect();
+        assert_eq!(doubts, [], "{rate_hz} Hz");
+    }
+}
+
 /// Any piece of a good flight is good: a few manoeuvres alone do not look like a fault.
 #[test]
 fn pieces_of_good_flights_are_not_doubtful() {
