@@ -1732,7 +1732,8 @@ typedef enum sins_alignment {
     SINS_ALIGNMENT_GIVEN = 0,
     /**
      * The library computes the attitude that levelling and gyrocompassing at rest would find with the sensor errors at the
-     * start. It does so even if the flight starts in motion. The INS starts with this attitude, turned by the given and the
+     * start. It does so even if the flight starts in motion. A vehicle that then is tilted by more than 10 degrees was level, with the
+     * heading that it has. The INS starts with this attitude, turned by the given and the
      * drawn misalignment. Levelling comes first: it finds the tilt at which the accelerometers sense the reaction to normal gravity. At
      * height this is not quite along the ellipsoid's normal: its horizontal part is 7.5 micro-g at 9 km and 45 degrees.
      * Gyrocompassing then finds the heading at which the horizontal gyro rates point north. SINS_NAVIGATION_NORTH_UNKNOWN is set

@@ -193,7 +193,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 /* Judges of samples. */
 
 /** Most findings of a flight. */
-#define SINS_FINDINGS_MAX 26
+#define SINS_FINDINGS_MAX 28
 
 /** What was found, and what the figure of the finding is. */
 typedef enum sins_finding_kind {
@@ -248,7 +248,11 @@ typedef enum sins_finding_kind {
     /** Attitude that stays the same to the last bit while the track turns; figure: the largest turn of the track in such a stretch [rad]. */
     SINS_FINDING_ATTITUDE_HELD = 24,
     /** Attitude that follows the turns late; figure: the delay, negative if it is early [s]. */
-    SINS_FINDING_ATTITUDE_LATE = 25
+    SINS_FINDING_ATTITUDE_LATE = 25,
+    /** Attitude with noise; figure: noise of an angle [rad]. */
+    SINS_FINDING_NOISY_ATTITUDE = 26,
+    /** Velocity that follows the positions late; figure: the delay, negative if it is early [s]. */
+    SINS_FINDING_VELOCITY_LATE = 27
 } sins_finding_kind;
 
 /** What a finding means for a flight of these samples. */
