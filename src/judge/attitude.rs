@@ -3,7 +3,10 @@
 use nalgebra::Vector3;
 
 use super::blocks::{Block, Coarseness, End};
-use super::finding::{At, Clue, Level};
+use super::crab::Crab;
+use super::finding::{Clue, Level};
+use super::held::{Held, Stretches};
+use super::regression::Regression;
 use crate::base::math::{atan, atan2, hypot, sin_cos, wrap_angle};
 use crate::base::units::{DEG, STANDARD_GRAVITY as G};
 
@@ -16,8 +19,10 @@ const ALL_ROUND: f64 = 0.3;
 /// Slope of the roll on the bank above which a vehicle leans out of its turns: a car by a tenth to a fifth of the bank of an aeroplane.
 const LEANS: f64 = -0.3;
 
-/// Turn of the track above which an attitude that stays the same is not that of the vehicle.
+/// Turn of the track above which an attitude that stays the same is not that of the vehicle, and a heading that does: one that is logged
+/// at 1 Hz stays the same for less.
 const TURN_WHILE_HELD: f64 = 10.0 * DEG;
+const TURN_WHILE_HEADING_HELD: f64 = 20.0 * DEG;
 
 /// Blocks of turns that a judgement of the roll needs: in aerobatics half a minute is flown inverted.
 const LEAST_OF_TURNS: f64 = 15.0;
@@ -39,8 +44,32 @@ const HEADINGS: [(&str, f64); 4] = [
     ("radians taken for degrees", 1.0 / DEG),
 ];
 
-/// Share of the squared turns of the track that those of a heading leave unexplained at most, of a vehicle whose nose leads its track.
-const FOLLOWS: f64 = 0.8;
+/// Turns of the track, all added, below which a heading of its own turns as the track by chance \[rad\]; and least share of them, less that
+/// of the opposite turns, in which a heading that leads the track turns with it.
+const TWO_CIRCLES: f64 = 720.0 * DEG;
+const LEADS: f64 = 0.5;
+
+/// Blocks of turns in which an aeroplane shows, and correlation of its roll with the bank of the turns. The roll of a drone is its bank
+/// times the cosine of its heading off the track, which has that correlation by chance only where it turns little.
+const LEAST_OF_AEROPLANE: f64 = 5.0;
+const BANKS: f64 = 0.9;
+
+/// Mean speeds at which the nose leads the track, as nothing flies sideways or is in orbit [m/s].
+const FAST_M_S: core::ops::Range<f64> = 40.0..1000.0;
+
+/// Slopes of a roll in radians that is read as degrees: 1/57.3, and what slips and attack make of it.
+const IN_RADIANS: core::ops::Range<f64> = 0.012..0.024;
+
+/// Error of a heading that is found in a flight in all directions, and in one that turns, where a wind that changes turns a nose by less
+/// [rad].
+const OFF_ALL_ROUND: f64 = 5.0 * DEG;
+const OFF_IN_TURNS: f64 = 10.0 * DEG;
+
+/// Length of the mean direction of the track below which a flight turns enough to tell the wind from an error of the heading.
+const TURNS: f64 = 0.95;
+
+/// Bank and roll of a flight straight on, in which the nose of a glider does not follow the air \[rad\].
+const STRAIGHT: f64 = 10.0 * DEG;
 
 /// A sum of unit vectors in the plane.
 #[derive(Debug, Clone, Copy)]
@@ -63,65 +92,6 @@ impl Direction {
     }
 }
 
-/// Sums of a regression of y on x.
-#[derive(Debug, Clone, Copy)]
-struct Regression {
-    count: f64,
-    x: f64,
-    y: f64,
-    xx: f64,
-    xy: f64,
-    yy: f64,
-}
-
-impl Regression {
-    const NONE: Self = Self { count: 0.0, x: 0.0, y: 0.0, xx: 0.0, xy: 0.0, yy: 0.0 };
-
-    fn add(&mut self, x: f64, y: f64) {
-        self.count += 1.0;
-        self.x += x;
-        self.y += y;
-        self.xx += x * x;
-        self.xy += x * y;
-        self.yy += y * y;
-    }
-
-    /// That of the points of both.
-    fn with(&self, other: &Self) -> Self {
-        Self {
-            count: self.count + other.count,
-            x: self.x + other.x,
-            y: self.y + other.y,
-            xx: self.xx + other.xx,
-            xy: self.xy + other.xy,
-            yy: self.yy + other.yy,
-        }
-    }
-
-    /// Standard deviation of x, slope, correlation.
-    fn figures(&self) -> (f64, f64, f64) {
-        let n = self.count;
-        let (xx, yy) = (self.xx / n - (self.x / n) * (self.x / n), self.yy / n - (self.y / n) * (self.y / n));
-        let xy = self.xy / n - self.x / n * self.y / n;
-        (xx.max(0.0).sqrt(), xy / xx, xy / (xx * yy).max(0.0).sqrt())
-    }
-}
-
-/// A stretch in which the attitude stays the same, to the last bit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Held {
-    /// Its first row.
-    pub begin: At,
-    /// Its length [s].
-    pub length_s: f64,
-    /// What the track turns in it [rad].
-    pub turn: f64,
-}
-
-impl Held {
-    const NONE: Self = Self { begin: At { row: 0, time_s: 0.0 }, length_s: 0.0, turn: 0.0 };
-}
-
 /// Bank that the turn needs, and roll, between two blocks.
 #[derive(Debug, Clone, Copy)]
 struct Banked {
@@ -134,17 +104,20 @@ pub(super) struct Attitudes {
     count: f64,
     track: Direction,
     headings: [Direction; 4],
-    /// The track and the heading before \[rad\], Σ (turn of the track)², and Σ (turn of a heading less turn of the track)².
+    crab: Crab,
+    /// Sum of the speeds [m/s].
+    speeds: f64,
+    /// The track and the heading before \[rad\], Σ |turn of the track|, and of it that in which the heading turns with it, less the rest.
     before: Option<[f64; 2]>,
-    turned2: f64,
-    unexplained2: [f64; 4],
-    /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank.
-    turns: [f64; 5],
+    turned: f64,
+    turned_with: f64,
+    /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank, Σ roll².
+    turns: [f64; 6],
+    /// Pitch on the angle of the path, and that of the flight straight on.
     climb: Regression,
-    /// The stretch of held attitude now, that of the largest turn, and how many turn.
-    held: Held,
-    longest_held: Held,
-    held_count: u64,
+    straight_climb: Regression,
+    /// Held attitudes, and held headings.
+    held: [Stretches; 2],
     /// The two ends of blocks before, if they follow each other.
     banked: [Option<Banked>; 2],
     /// Roll less bank, on the rate of the bank, where that falls and where it grows: the slope is how late the roll is. A heading shows no
@@ -158,14 +131,15 @@ impl Attitudes {
             count: 0.0,
             track: Direction::NONE,
             headings: [Direction::NONE; 4],
+            crab: Crab::NONE,
+            speeds: 0.0,
             before: None,
-            turned2: 0.0,
-            unexplained2: [0.0; 4],
-            turns: [0.0; 5],
+            turned: 0.0,
+            turned_with: 0.0,
+            turns: [0.0; 6],
             climb: Regression::NONE,
-            held: Held::NONE,
-            longest_held: Held::NONE,
-            held_count: 0,
+            straight_climb: Regression::NONE,
+            held: [Stretches::NONE; 2],
             banked: [None; 2],
             delays: [Regression::NONE; 2],
         }
@@ -187,58 +161,54 @@ impl Attitudes {
             return;
         }
         self.count += 1.0;
+        self.speeds += speed;
         let track = atan2(v.x, v.y);
         self.track.add(track);
         let (roll, pitch) = (wrap_angle(end.euler.roll), wrap_angle(end.euler.pitch));
         for (sum, (_, factor)) in self.headings.iter_mut().zip(HEADINGS) {
             sum.add(wrap_angle(end.euler.heading * factor - track));
         }
+        self.crab.add([v.x, v.y], end.euler.heading);
         self.add_turn(track, end.euler.heading);
         let turn = wrap_angle(atan2(second.x, second.y) - atan2(first.x, first.y));
         let bank = atan(speed * turn / (0.5 * length_s) / G);
         if (5.0 * DEG..75.0 * DEG).contains(&bank.abs()) && sin_cos(pitch).1.abs() > 0.5 {
             let has_sign = f64::from(u8::from((roll < 0.0) == (bank < 0.0) && roll != 0.0));
-            for (sum, term) in
-                self.turns.iter_mut().zip([1.0, has_sign, roll * bank, bank * bank, pitch * bank])
-            {
+            for (sum, term) in self.turns.iter_mut().zip([
+                1.0,
+                has_sign,
+                roll * bank,
+                bank * bank,
+                pitch * bank,
+                roll * roll,
+            ]) {
                 *sum += term;
             }
         }
-        self.add_held(blocks, turn);
+        for (stretches, is_held, limit) in [
+            (0, blocks.iter().all(|block| block.is_held), TURN_WHILE_HELD),
+            (1, blocks.iter().all(|block| block.is_heading_held), TURN_WHILE_HEADING_HELD),
+        ] {
+            self.held[stretches].add(blocks[0], is_held, turn, limit);
+        }
         self.add_banked(Banked { bank, roll }, 0.5 * length_s);
         let path = atan2(v.z, speed);
         if speed > 15.0 && roll.abs() < 1.0 && path.abs() < 1.2 && coarse.up_m < 0.02 * speed * length_s {
             self.climb.add(path, pitch);
+            if roll.abs().max(bank.abs()) < STRAIGHT {
+                self.straight_climb.add(path, pitch);
+            }
         }
     }
 
     fn add_turn(&mut self, track: f64, heading: f64) {
         if let Some([track_before, heading_before]) = self.before {
             let turn = wrap_angle(track - track_before);
-            self.turned2 += turn * turn;
-            for (sum, (_, factor)) in self.unexplained2.iter_mut().zip(HEADINGS) {
-                let rest = wrap_angle((heading - heading_before) * factor - turn);
-                *sum += rest * rest;
-            }
+            let with = wrap_angle(heading - heading_before) * turn;
+            self.turned += turn.abs();
+            self.turned_with += if with == 0.0 { 0.0 } else { turn.abs().copysign(with) };
         }
         self.before = Some([track, heading]);
-    }
-
-    fn add_held(&mut self, blocks: [&Block; 2], turn: f64) {
-        if !blocks.iter().all(|block| block.is_held) {
-            self.held = Held::NONE;
-            return;
-        }
-        if self.held == Held::NONE {
-            self.held = Held { begin: blocks[0].begin, length_s: blocks[0].length_s, turn: 0.0 };
-        }
-        let had_turned = self.held.turn.abs() > TURN_WHILE_HELD;
-        self.held.length_s += blocks[1].length_s;
-        self.held.turn += turn;
-        self.held_count += u64::from(!had_turned && self.held.turn.abs() > TURN_WHILE_HELD);
-        if self.held.turn.abs() > self.longest_held.turn.abs() {
-            self.longest_held = self.held;
-        }
     }
 
     /// `between_s`: time from the middle of a block to that of the next [s].
@@ -255,7 +225,30 @@ impl Attitudes {
 
     /// The stretch of held attitude in which the track turns farthest, if it turns, and how many such there are.
     pub fn held(&self) -> Option<(Held, u64)> {
-        (self.held_count > 0).then_some((self.longest_held, self.held_count))
+        self.held[0].found()
+    }
+
+    /// The same of the heading alone, of what banks as an aeroplane or is fast.
+    pub fn heading_held(&self) -> Option<(Held, u64)> {
+        self.held[1].found().filter(|_| self.is_aeroplane() || self.is_fast())
+    }
+
+    fn is_fast(&self) -> bool {
+        FAST_M_S.contains(&(self.speeds / self.count))
+    }
+
+    /// Whether it banks as an aeroplane, by a roll of any sign.
+    fn is_aeroplane(&self) -> bool {
+        let [count, _, mixed, bank2, _, roll2] = self.turns;
+        count >= LEAST_OF_AEROPLANE
+            && (0.5..1.6).contains(&(mixed / bank2).abs())
+            && mixed * mixed > BANKS * BANKS * bank2 * roll2
+    }
+
+    /// Whether a heading can be judged by the track: that of an aeroplane, or one that turns with the track, or `against` it, for long.
+    fn leads(&self, against: bool) -> bool {
+        let with = if against { -self.turned_with } else { self.turned_with };
+        self.is_aeroplane() || self.turned > TWO_CIRCLES && with > LEADS * self.turned
     }
 
     /// How late the roll is [s], negative if it is early, of a vehicle that banks as an aeroplane.
@@ -263,7 +256,7 @@ impl Attitudes {
         let [into, out_of] = &self.delays;
         let both = into.with(out_of);
         let (_, delay_s, correlation) = both.figures();
-        let [_, _, mixed, bank2, _] = self.turns;
+        let [_, _, mixed, bank2, ..] = self.turns;
         let banks = (0.5..1.6).contains(&(mixed / bank2));
         // A slip in a single bend is a delay where the bank grows, and the opposite where it falls.
         let is_of = |part: &Regression| part.xx > 0.1 * both.xx && part.xy / part.xx / delay_s > 0.5;
@@ -288,21 +281,29 @@ impl Attitudes {
         }
         let lengths = self.headings.map(|sum| sum.length() / self.count);
         let best = (0..HEADINGS.len()).max_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
-        // By chance the mean direction of a drone that turns as it likes agrees; its turns do not.
-        let leads = self.unexplained2[best] < FOLLOWS * self.turned2;
+        // By chance the mean direction of a drone that turns as it likes agrees.
+        let leads = self.is_fast() || self.leads(HEADINGS[best].1 < 0.0);
         (lengths[best] > 0.9 && leads).then_some((as_it_is, Clue::Known(HEADINGS[best].0)))
     }
 
     /// Angle of the heading off the track [rad], if it is constant and large, and what that means: wind makes no constant angle in a flight
-    /// in all directions, and vehicles that fly sideways do not bank as aeroplanes do.
+    /// that turns, and vehicles that fly sideways do not bank as aeroplanes do.
     pub fn heading_offset(&self) -> Option<(f64, Level)> {
+        if !self.is_enough() {
+            return None;
+        }
         let (angle, share) = self.off_track();
-        let is_all_round = self.track.length() / self.count < ALL_ROUND;
-        let (least, level) = match is_all_round {
-            true if angle.abs() < SIDEWAYS || self.roll().is_none() => (5.0, Level::Doubtful),
-            _ => (45.0, Level::Note),
-        };
-        (self.is_enough() && share > 0.9 && angle.abs() > least * DEG).then_some((angle, level))
+        let length = self.track.length() / self.count;
+        let leads = self.leads(false);
+        let is_all_round = length < ALL_ROUND && (leads || self.is_fast());
+        let all_round = Some(angle).filter(|angle| is_all_round && angle.abs() > OFF_ALL_ROUND);
+        let turns = length < TURNS && leads;
+        let of_wind = self.crab.offset().filter(|offset| turns && offset.abs() > OFF_IN_TURNS);
+        let off = all_round.or(of_wind).filter(|_| share > 0.9);
+        if let Some(off) = off.filter(|off| off.abs() < SIDEWAYS || self.roll().is_none()) {
+            return Some((off, Level::Doubtful));
+        }
+        (share > 0.9 && angle.abs() > SIDEWAYS).then_some((angle, Level::Note))
     }
 
     /// Mean angle of the heading off the track [rad], and how constant it is, 0 to 1.
@@ -313,7 +314,7 @@ impl Attitudes {
 
     /// Slope of the roll on the bank that the turns need, if it is wrong, and what explains it.
     pub fn roll(&self) -> Option<(f64, Clue)> {
-        let [count, with_sign, mixed, bank2, of_pitch] = self.turns;
+        let [count, with_sign, mixed, bank2, of_pitch, roll2] = self.turns;
         if count < LEAST_OF_TURNS {
             return None;
         }
@@ -324,6 +325,9 @@ impl Attitudes {
         let is_sideways = off_track.abs() > SIDEWAYS || share < 0.8;
         let clue = match (of_pitch / bank2).abs() {
             0.6..1.6 if slope.abs() < 0.4 && !is_sideways => Clue::Known("roll and pitch are exchanged"),
+            _ if IN_RADIANS.contains(&slope) && mixed * mixed > BANKS * BANKS * bank2 * roll2 => {
+                Clue::Known("radians taken for degrees")
+            }
             _ if is_opposite && !is_sideways => Clue::Known("opposite sign"),
             _ => Clue::None,
         };
@@ -333,11 +337,16 @@ impl Attitudes {
     /// Slope of the pitch on the angle of the path, if the path varies: if the sign of pitch is wrong, or the height is in feet (true).
     pub fn pitch(&self) -> Option<(f64, bool)> {
         let (deviation, slope, correlation) = self.climb.figures();
-        if self.climb.count < LEAST || deviation < 2.0 * DEG {
-            return None;
+        if self.climb.count >= LEAST && deviation > 2.0 * DEG && slope < -0.3 && correlation < -0.5 {
+            return Some((slope, false));
         }
-        let in_feet = correlation > 0.8 && (0.2..0.4).contains(&slope);
-        (in_feet || slope < -0.3 && correlation < -0.5).then_some((slope, in_feet))
+        // In thermals the nose of a glider follows a third of the climb.
+        let (deviation, slope, correlation) = self.straight_climb.figures();
+        let in_feet = self.straight_climb.count >= LEAST
+            && deviation > 2.0 * DEG
+            && correlation > 0.8
+            && (0.2..0.4).contains(&slope);
+        in_feet.then_some((slope, true))
     }
 
     /// Mean of pitch less angle of the path [rad], if it is below -1° and the path does not vary.

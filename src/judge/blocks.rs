@@ -31,6 +31,8 @@ pub(super) struct Block {
     pub has_velocity: bool,
     /// Whether each row has the attitude of the row before, to the last bit.
     pub is_held: bool,
+    /// The same of its heading.
+    pub is_heading_held: bool,
 }
 
 impl Block {
@@ -48,6 +50,7 @@ impl Block {
             begin: self.begin,
             has_velocity: self.has_velocity && next.has_velocity,
             is_held: self.is_held && next.is_held,
+            is_heading_held: self.is_heading_held && next.is_heading_held,
         }
     }
 
@@ -134,6 +137,7 @@ impl Blocks {
             begin: self.last.map_or(row.at, |(at, _)| at),
             has_velocity: products.is_some() && self.products.is_some(),
             is_held: self.last.is_some_and(|(_, euler)| euler == row.euler),
+            is_heading_held: self.last.is_some_and(|(_, euler)| euler.heading == row.euler.heading),
         };
         let had_row = self.last.is_some();
         (self.products, self.up_m_s, self.last) = (products, up_m_s, Some((row.at, row.euler)));

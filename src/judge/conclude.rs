@@ -4,6 +4,7 @@ use super::blocks::Level as BlockLevel;
 use super::finding::{Clue, Finding, Kind, Level};
 use super::velocity::Wrong;
 use super::{Judge, MAX_FINDINGS};
+use crate::base::math::hypot;
 use crate::base::units::STANDARD_GRAVITY as G;
 
 /// False acceleration above which a finding is a note, doubtful, unusable [m/s²]. An asymmetry of 100 ppm rectifies 1 m/s² to 8 µg;
@@ -24,9 +25,9 @@ const CONTRADICTION: f64 = 0.1;
 const LATE_ERROR_M: f64 = 5.0;
 const NOISE_ERROR_M: f64 = 10.0;
 
-/// Drift of the attitude for noise of an attitude: each row adds this share of the product of the noise of two axes [1].
-/// Evidence: INSs with ideal sensors on flights of 200 s and 480 s with 0.5 deg of noise at 10 and 50 Hz.
-const CONING: f64 = 0.15;
+/// Drift of the attitude about an axis: each row adds this share of the product of the white noises about the two others [1]. Between rows
+/// the rotation vector is a cubic through both attitudes and the rates of their stencils; two subsamples a row miss this of its coning.
+const CONING: f64 = 0.1285;
 
 /// Largest interval at which noise of an attitude is told from its motion [s], and ratio of its differences above which it is: those of
 /// drones in gusts, at 10 Hz, have 0.86.
@@ -302,17 +303,16 @@ impl Judge {
         if self.stamps.usual_s() > OFTEN_S {
             return;
         }
-        let mut sigmas = [0, 1, 2].map(|axis| self.attitude_noise.sigma_above(axis, WHITE));
-        sigmas.sort_by(f64::total_cmp);
-        let [_, second, first] = sigmas;
+        let [roll, pitch, heading] = [0, 1, 2].map(|axis| self.attitude_noise.sigma_above(axis, WHITE));
         let duration_s = self.last.map_or(0.0, |last| last.time_s) - self.first_s;
         let (rows, length_s) = (duration_s / self.stamps.usual_s(), duration_s.min(LONGEST_S));
-        let drift = CONING * first * second * rows.sqrt();
+        let drift = CONING * heading * hypot(roll, pitch) * rows.sqrt();
         // The deviation of the second integral of a random walk is its last value times t²/√20.
         let ins_error_m = G * drift * length_s * length_s / 20f64.sqrt();
+        let largest = roll.max(pitch).max(heading);
         if ins_error_m > 0.1 * NOISE_ERROR_M {
             let level = if ins_error_m > NOISE_ERROR_M { Level::Doubtful } else { Level::Note };
-            found.add(Finding { ins_error_m, ..Finding::new(Kind::NoisyAttitude, level, first) });
+            found.add(Finding { ins_error_m, ..Finding::new(Kind::NoisyAttitude, level, largest) });
         }
     }
 
@@ -333,9 +333,11 @@ impl Judge {
         } else if let Some((angle, level)) = attitudes.heading_offset() {
             found.add(Finding::new(Kind::HeadingOffTrack, level, angle));
         }
-        if let Some((held, count)) = attitudes.held() {
+        let heading_held = attitudes.heading_held();
+        if let Some((held, count)) = attitudes.held().or(heading_held) {
             let own = Finding::new(Kind::AttitudeHeld, Level::Doubtful, held.turn);
-            found.add(Finding { at: held.begin, count, ..own });
+            let clue = if attitudes.held().is_none() { Clue::Known("heading") } else { Clue::None };
+            found.add(Finding { at: held.begin, count, clue, ..own });
         } else if let Some(delay_s) = attitudes.delay_s() {
             found.add(Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s));
         }

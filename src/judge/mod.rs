@@ -7,12 +7,15 @@
 mod attitude;
 mod blocks;
 mod conclude;
+mod crab;
 mod finding;
+mod held;
 mod histogram;
 mod induced_error;
 mod late;
 mod noise;
 mod positions;
+mod regression;
 mod resolution;
 mod row;
 mod sentence;

@@ -104,6 +104,9 @@ impl fmt::Display for Finding {
                 f,
                 "roll has the opposite sign of the turns (slope {figure}): positive is right wing down"
             ),
+            (Kind::RollSign, Clue::Known("radians taken for degrees")) => {
+                write!(f, "roll is {figure} of the bank of the turns (radians taken for degrees?)")
+            }
             (Kind::RollSign, clue) => {
                 write!(f, "roll does not explain the turns (slope {figure}), and pitch does")?;
                 known(f, &clue)
@@ -126,9 +129,10 @@ impl fmt::Display for Finding {
                 "the path climbs {} times as steeply as the nose points (is the height in feet?)",
                 Digits(1.0 / self.figure)
             ),
-            (Kind::AttitudeHeld, _) => {
+            (Kind::AttitudeHeld, clue) => {
+                let what = if clue == Clue::None { "attitude" } else { "heading" };
                 let turn = Digits((self.figure / crate::base::units::DEG).abs());
-                write!(f, "attitude stays the same from {at} s on, while the track turns by {turn} deg")?;
+                write!(f, "{what} stays the same from {at} s on, while the track turns by {turn} deg")?;
                 if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
             }
             (Kind::AttitudeLate, _) => {

@@ -368,6 +368,51 @@ fn attitudes_on_another_clock_are_found() {
     }
 }
 
+/// A column of headings that is 0, or that stops: roll and pitch go on. In aerobatics the roll does not show an aeroplane.
+#[test]
+fn headings_that_stay_the_same_are_found() {
+    for rate_hz in [10.0, 4.0, 1.0] {
+        let zero = |samples: &[FlightSample]| each(samples, |_, sample| sample.euler.heading = 0.0);
+        let stops = |samples: &[FlightSample]| {
+            let from = samples.len() / 4;
+            each(samples, |k, sample| sample.euler.heading = samples[k.min(from)].euler.heading)
+        };
+        for mut unseen in [
+            missed(&[Kind::AttitudeHeld], Level::Doubtful, rate_hz, zero),
+            missed(&[Kind::AttitudeHeld], Level::Doubtful, rate_hz, stops),
+        ] {
+            unseen.retain(|name| !name.contains("aerobatics"));
+            assert_eq!(unseen, NONE, "{rate_hz} Hz");
+        }
+    }
+}
+
+/// A heading with a constant error, as a wander angle is, in flights of two to four minutes that turn, in the wind.
+#[test]
+fn constant_errors_of_headings_are_found() {
+    for length_s in [120.0, 240.0] {
+        for error_deg in [20.0, -40.0] {
+            let flight = flights::aeroplane_in_wind(10.0);
+            let rows = &flight.samples[..(length_s * 10.0) as usize];
+            let found = judged(&each(rows, |_, sample| sample.euler.heading += error_deg * DEG));
+            let own = found.iter().find(|finding| finding.kind == Kind::HeadingOffTrack);
+            let own = own.unwrap_or_else(|| panic!("{length_s} s {error_deg}: {found:?}"));
+            assert_eq!(own.level, Level::Doubtful, "{own}");
+            assert!((own.figure / DEG - error_deg).abs() < 3.0, "{length_s} s {error_deg}: {own}");
+            assert!(judged(rows).is_empty(), "{:?}", judged(rows));
+        }
+    }
+}
+
+/// A roll in radians beside a heading in degrees.
+#[test]
+fn a_roll_in_radians_is_found() {
+    let radians = |samples: &[FlightSample]| each(samples, |_, sample| sample.euler.roll *= DEG);
+    let mut unseen = missed(&[Kind::RollSign], Level::Unusable, 10.0, radians);
+    unseen.retain(|name| !name.contains("aerobatics"));
+    assert_eq!(unseen, NONE);
+}
+
 /// White noise of the attitude, with exact velocities: an INS with ideal sensors walks off.
 #[test]
 fn noise_of_the_attitude_is_found() {

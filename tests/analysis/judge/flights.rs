@@ -106,6 +106,15 @@ pub fn glider_in_thermals(rate_hz: f64) -> Good {
     })
 }
 
+/// It turns to both sides in a wind of a third of its speed.
+pub fn aeroplane_in_wind(rate_hz: f64) -> Good {
+    vehicle("aeroplane in the wind", rate_hz, |t| {
+        let (heading, turn) = (0.4 + 1.3 * (0.05 * t).sin(), 1.3 * 0.05 * (0.05 * t).cos());
+        let v = Vector3::new(45.0 * heading.sin() + 12.0, 45.0 * heading.cos() - 9.0, 0.5);
+        (v, Euler { roll: (45.0 * turn / 9.81).atan(), pitch: 0.05, heading })
+    })
+}
+
 /// Vehicles that do not fly like aeroplanes, at 50 Hz.
 pub fn vehicles() -> Vec<Good> {
     let level = |heading: f64| Euler { roll: 0.0, pitch: 0.0, heading };
