@@ -14,6 +14,11 @@ const MOVING: f64 = 0.05;
 /// Steps of the values up to which a change behind a run of equal values is that of their resolution.
 const STEPS: f64 = 3.0;
 
+/// Ways of a row, at the speed behind a rest, above which the first change is that of a source that froze before the vehicle moved off; and
+/// the time in which it moved off, over that of the change at the speed behind: that of a steady acceleration.
+const FROZE: f64 = 1.5;
+const MOVED_OFF: f64 = 2.0;
+
 /// Intervals of the source up to which equal values at the end of the log are those of a slower source.
 const LAST: f64 = 1.5;
 
@@ -28,11 +33,12 @@ pub(super) struct Quantity<'a> {
     pub step: f64,
 }
 
-/// Equal values that follow each other: those of the rows from `first` up to `next`.
+/// Equal values that follow each other: those of the rows from `first` up to `next`. At rest are those before `moves_off`.
 struct Run {
     first: usize,
     next: usize,
     is_held: bool,
+    moves_off: usize,
 }
 
 impl Quantity<'_> {
@@ -60,7 +66,7 @@ impl Quantity<'_> {
                 continue;
             }
             let mut last_s = times_s[run.first];
-            for k in run.first + 1..run.next {
+            for k in run.first + 1..run.moves_off {
                 if times_s[k] - last_s > 0.9 * source_s {
                     list.push(k);
                     last_s = times_s[k];
@@ -84,10 +90,26 @@ impl Quantity<'_> {
                 let change = (self.distance)(first, next).min((self.distance)(first, behind));
                 change > STEPS * self.step && change > MOVING * mean * (times_s[next] - times_s[first])
             };
-            runs.push(Run { first, next, is_held });
+            runs.push(Run { first, next, is_held, moves_off: next });
             first = next;
         }
+        for k in 0..runs.len().saturating_sub(2) {
+            runs[k].moves_off = self.moves_off(&runs[k], &runs[k + 1], &runs[k + 2]);
+        }
         Ok(runs)
+    }
+
+    /// The row of a rest from which on the source froze, as the change behind it shows; or its end.
+    fn moves_off(&self, rest: &Run, now: &Run, behind: &Run) -> usize {
+        let (times_s, distance) = (self.times_s, self.distance);
+        let change = distance(rest.first, now.first).min(distance(rest.first, behind.first));
+        let speed = distance(now.first, behind.first) / (times_s[behind.first] - times_s[now.first]);
+        let last_s = times_s[now.first] - times_s[now.first - 1];
+        if change <= STEPS * self.step || change <= FROZE * speed * last_s {
+            return rest.next;
+        }
+        let from_s = times_s[now.first] - MOVED_OFF * change / speed;
+        (rest.first + 1..rest.next).find(|&k| times_s[k] > from_s).unwrap_or(rest.next)
     }
 }
 
@@ -126,6 +148,16 @@ mod tests {
         let mut outlier = moves_off;
         outlier[50] = 300.0;
         assert_eq!(fresh(&outlier, 0.0), every);
+    }
+
+    /// A source that froze at a rest, from which the vehicle moved off in the last 3 s of it: these rows are left out.
+    #[test]
+    fn a_source_that_froze_at_a_rest_is_left_out() {
+        let moves_off = |k: i32| if k < 180 { 0.0 } else { (0.1 * f64::from(k - 150)).powi(2) };
+        let froze: Vec<f64> = (0..300).map(moves_off).collect();
+        let rows = fresh(&froze, 0.0);
+        let kept = rows.iter().filter(|&&row| row < 180).count();
+        assert!((145..=152).contains(&kept) && rows[kept..] == (180..300).collect::<Vec<_>>(), "{kept}");
     }
 
     /// A source that froze while the vehicle moved on has no row there.

@@ -56,8 +56,9 @@ const MOST_OF_LONG: f64 = 0.01;
 const MOST_S: f64 = 3.0;
 const MOST_OF_SHORT: f64 = 0.1;
 
-/// Largest cut-off of the path of a filter, in rates of its corrections: above it is what their jumps leave.
-const CORRECTED: f64 = 0.5;
+/// Largest cut-off of the path of a filter, in rates of its corrections: of what alternates from one to the next, at half that rate, it
+/// leaves a tenth.
+const CORRECTED: f64 = 0.35;
 
 /// How rows become a path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -22,9 +22,10 @@ const GAP_INTERVALS: f64 = 30.0;
 /// Share of the usual interval below which a row is too near to the row before.
 const NEAR: f64 = 0.2;
 
-/// Edges that stairs need, and share of them that may follow each other.
+/// Edges that stairs need, and share of them at which the number of steps of a change goes up and down again, or the reverse: rounding
+/// scatters, and a steady climb or a steady thrust does not.
 const LEAST_EDGES: u32 = 4;
-const NEIGHBOURS: f64 = 0.2;
+const SCATTERS: f64 = 0.2;
 
 /// Steps of angles that logs have [deg], the coarsest first; and steps over which angles must extend to have them.
 const ANGLES_DEG: [f64; 5] = [1.0, 0.5, 0.1, 0.05, 0.01];
@@ -135,26 +136,24 @@ fn is_over(a: &Geodetic, b: &Geodetic) -> bool {
     a.latitude_rad == b.latitude_rad && a.longitude_rad == b.longitude_rad
 }
 
-/// The step of heights that stay the same for several rows and then change by multiples of it [m]; 0: they do not. Any step counts, not
-/// only those that logs usually have.
+/// The step of heights that change by multiples of it, whose number scatters by rounding [m]; 0: they do not. Any step counts, not only
+/// those that logs usually have.
 fn stairs_m(samples: &[FlightSample]) -> f64 {
-    let changes = || samples.windows(2).map(|two| (two[1].place.height_m - two[0].place.height_m).abs());
-    let least_m = changes().filter(|change| *change > 0.0).fold(f64::INFINITY, f64::min);
-    let is_multiple = |change: f64| {
-        let multiple = change / least_m;
-        (multiple - multiple.round()).abs() < 0.02 * multiple.max(1.0)
-    };
-    let (mut edges, mut neighbours, mut was_edge) = (0_u32, 0_u32, false);
+    let changes = || samples.windows(2).map(|two| two[1].place.height_m - two[0].place.height_m);
+    let least_m = changes().map(f64::abs).filter(|change| *change > 0.0).fold(f64::INFINITY, f64::min);
+    let (mut edges, mut scattered) = (0_u32, 0_u32);
+    let (mut steps_before, mut growth_before) = (0.0, 0.0);
     for change in changes() {
-        let is_edge = change > 0.0;
-        if is_edge && !is_multiple(change) {
+        let (multiple, steps) = (change / least_m, (change / least_m).round());
+        if (multiple - steps).abs() > 0.02 * multiple.abs().max(1.0) {
             return 0.0;
         }
-        edges += u32::from(is_edge);
-        neighbours += u32::from(is_edge && was_edge);
-        was_edge = is_edge;
+        let growth = steps - steps_before;
+        edges += u32::from(steps != 0.0);
+        scattered += u32::from(growth * growth_before < 0.0);
+        (steps_before, growth_before) = (steps, growth);
     }
-    if edges >= LEAST_EDGES && f64::from(neighbours) < NEIGHBOURS * f64::from(edges) { least_m } else { 0.0 }
+    if edges >= LEAST_EDGES && f64::from(scattered) > SCATTERS * f64::from(edges) { least_m } else { 0.0 }
 }
 
 /// Angle between two attitudes [rad].
