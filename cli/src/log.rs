@@ -8,7 +8,7 @@ use sins::scene::Scene;
 use sins::units::DEG;
 
 use crate::failure::Failure;
-use crate::given::{ReadLog, Settings, is_log, is_record, judge, of_log, parse_log, read_bytes};
+use crate::given::{ReadLog, Settings, is_log, is_record, judge, of_log, parse_log, read_bytes, refused};
 use crate::output::{NO_MARK, Outputs};
 use crate::siblings;
 use crate::terminal::{print, quoted, say};
@@ -94,7 +94,11 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         Ok(path) => (path, None),
         Err(error) => (rows.clone(), Some(of_log(&order.file, error))),
     };
-    let findings = judge(&scene, &order.file, &log, log.samples().len());
+    let mut findings = judge(&scene, &order.file, &log, log.samples().len());
+    if failure.is_none() {
+        let refused = refused(&scene, &order.file, &log, &findings);
+        findings.splice(0..0, refused);
+    }
     match &order.output {
         Some(output) => {
             findings.iter().for_each(|(_, words)| say(words));

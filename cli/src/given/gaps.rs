@@ -1,9 +1,11 @@
 //! The samples of a log, one after the other: what a simulator would refuse, and the gaps that it bridges.
 
-use sins::Error;
 use sins::log::FlightLog;
 use sins::scene::Scene;
 use sins::truth::{Intake, Pushed};
+use sins::{Error, ErrorKind};
+
+use super::words::of_sample;
 
 /// Gaps of a log: intervals of more than 2.5 times each of the two before, which are bridged; also a first interval of more than
 /// 2.5 times the second.
@@ -40,8 +42,14 @@ pub fn find(scene: &Scene, log: &FlightLog, count: usize) -> Result<Gaps, (usize
     Ok(gaps)
 }
 
+/// Why a simulator of `scene` refuses a sample of `log`, from the error of it.
+pub fn refusal(scene: &Scene, log: &FlightLog, error: &Error) -> String {
+    let is_gap = error.kind == ErrorKind::Discontinuity && error.field == "sample.time_s";
+    of_sample(error) + if is_gap { unit_of_stamps(scene, log) } else { "" }
+}
+
 /// What the stamps of a log may be whose usual interval is longer than a gap may be; empty: they are in seconds.
-pub fn unit_of_stamps(scene: &Scene, log: &FlightLog) -> &'static str {
+fn unit_of_stamps(scene: &Scene, log: &FlightLog) -> &'static str {
     let samples = log.samples();
     let mut intervals: Vec<f64> = samples.windows(2).map(|pair| pair[1].time_s - pair[0].time_s).collect();
     let middle = (intervals.len() - 1) / 2;

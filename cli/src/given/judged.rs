@@ -6,6 +6,7 @@ use sins::judge::{Finding, Judge, Level};
 use sins::log::FlightLog;
 use sins::scene::Scene;
 
+use super::gaps;
 use crate::failure::Failure;
 use crate::terminal::say;
 
@@ -47,6 +48,21 @@ pub fn judge(scene: &Scene, path: &Path, log: &FlightLog, count: usize) -> Vec<(
     };
     let noted = log.notes().iter().map(|note| noted(note.line, &note.sentence));
     judge.findings().map(words).chain(noted).collect()
+}
+
+/// The first sample of a log that a simulator refuses, as a finding of it, if the judge has found nothing that is
+/// unusable: that is the reason then.
+pub fn refused(
+    scene: &Scene,
+    path: &Path,
+    log: &FlightLog,
+    findings: &[(Level, String)],
+) -> Option<(Level, String)> {
+    let (index, error) = gaps::find(scene, log, log.samples().len()).err()?;
+    let line = log.line(index).map_or_else(String::new, |line| format!(":{line}"));
+    let (word, why) = (Level::Unusable.word(), gaps::refusal(scene, log, &error));
+    let is_new = findings.iter().all(|(level, _)| *level < Level::Unusable);
+    is_new.then(|| (Level::Unusable, format!("{}{line}: {word}: {why}", path.display())))
 }
 
 impl Trust {

@@ -27,7 +27,7 @@ use sins::{Error, ErrorKind};
 pub use arguments::{Hours, SceneArguments};
 pub use file::{open_table, read_text};
 pub use gaps::{Gaps, unit_of_interval};
-pub use judged::{Trust, judge, judge_of, sentence};
+pub use judged::{Trust, judge, judge_of, refused, sentence};
 pub use kind::{FileKind, is_record};
 pub use log::{ReadLog, of_log, parse_log, read_bytes, read_log};
 pub use settings::Settings;
@@ -157,9 +157,8 @@ impl Given {
                 Ok(gaps) => given.gaps = gaps,
                 // The finding is the reason.
                 Err((index, error)) => {
-                    let is_gap = error.kind == ErrorKind::Discontinuity && error.field == "sample.time_s";
-                    let unit = if is_gap { gaps::unit_of_stamps(&given.scene, log) } else { "" };
-                    let failure = Failure::new(format!("{}{unit}", given.failure_at(index, &error)));
+                    let why = gaps::refusal(&given.scene, log, &error);
+                    let failure = Failure::new(format!("{}: {why}", given.place(index)));
                     return Err(Failure::all([failure].into_iter().chain(refused).collect()));
                 }
             }
@@ -230,7 +229,7 @@ impl Given {
 
     /// The sample `index`.
     pub fn sample(&self, index: usize) -> Result<FlightSample, Error> {
-        self.source.sample(index, self.scene.rate_hz)
+        self.source.sample(index, &self.scene)
     }
 
     /// Time of the sample `index` since the first one [s].

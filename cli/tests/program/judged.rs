@@ -163,6 +163,25 @@ fn every_door_refuses_what_is_unusable_and_warns_of_what_is_doubtful() {
     assert!(!folder.join("sins_out").exists(), "nothing is written");
 }
 
+/// A row 334 m off, whose velocities are right, so that the judge has a note of it: what a simulator refuses is unusable to `sins log` too.
+#[test]
+fn a_row_that_a_simulator_refuses_is_unusable() {
+    let folder = folder("refused");
+    let mut rows = circle(10, 60);
+    rows[200][1] += 0.003;
+    write(&folder.join("off.csv"), &rows, true);
+    let words = "displacement that the velocity does not explain [m] = 33";
+    for door in [&["scene", "check"][..], &["fly", "-q"]] {
+        let errors = rejected(&folder, &[door, &["off.csv"]].concat());
+        assert!(errors.contains("off.csv:202: ") && errors.contains(words), "{door:?}: {errors}");
+    }
+    let said = done(&folder, &["log", "off.csv"]);
+    assert!(said.contains("off.csv:202: unusable: ") && said.contains(words), "{said}");
+    assert!(!said.contains("nothing is doubtful"), "{said}");
+    let errors = rejected(&folder, &["log", "off.csv", "--strict"]);
+    assert!(errors.ends_with("off.csv: the log is refused (--strict)\n"), "{errors}");
+}
+
 /// What flies all the same says so on standard error, in the summary, and in the pages above the curves.
 #[test]
 fn doubts_stand_in_summaries_and_pages() {
