@@ -51,7 +51,7 @@ impl Given {
     fn samples(&self) -> Vec<FlightSample> {
         let source = self.source();
         let count = source.samples(&self.scene).unwrap().unwrap().count;
-        (0..count).map(|index| source.sample(index, self.scene.rate_hz).unwrap()).collect()
+        (0..count).map(|index| source.sample(index, &self.scene).unwrap()).collect()
     }
 }
 

@@ -1,7 +1,7 @@
 //! `sins log`: what a log has, and a smooth path of it that flies.
 
 use crate::judged::{circle, faulty, write};
-use crate::support::{done, folder, project_file, read, rejected, rows, run};
+use crate::support::{done, folder, numbers, project_file, read, rejected, rows, run};
 
 #[test]
 fn a_log_is_looked_at() {
@@ -16,6 +16,23 @@ fn a_log_is_looked_at() {
     let (code, said, errors) = run(&folder, &["log", "reversed.csv", "--strict"]);
     assert!(code == 2 && said.contains(": doubtful: ") && errors.contains("refused (--strict)"), "{errors}");
     assert!(rejected(&folder, &["log", "good.csv", "--smooth"]).contains("--output"));
+}
+
+/// The first record of a log without velocities has the mean velocity up to the second row.
+#[test]
+fn the_first_record_of_positions_alone_has_a_velocity() {
+    let folder = folder("first_velocity");
+    write(&folder.join("flight.csv"), &circle(10, 20), false);
+    done(&folder, &["fly", "flight.csv", "-q"]);
+    let (names, records) = numbers(&folder.join("sins_out/flight.csv"));
+    for (name, expected) in [("north", 80.0), ("east", 0.0)] {
+        for of in ["truth", "navigation"] {
+            let column = format!("{of}_velocity_{name}_m_s");
+            let place = names.iter().position(|name| *name == column).unwrap();
+            // It turns by 3 degrees a second: a quarter of a degree in 0.05 s, and the radius of the Earth is a mean one.
+            assert!((records[0][place] - expected).abs() < 0.5, "{column}: {}", records[0][place]);
+        }
+    }
 }
 
 /// A table of somebody else's: its columns are found, and the next command flies it.

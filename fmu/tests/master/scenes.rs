@@ -78,10 +78,10 @@ fn scenes_fly_to_the_bits_of_the_library() {
 fn flies_alike(given: &FlownScene) -> (bool, bool) {
     let (errors, shown) = (references("errors."), references("shown."));
     let FlownScene { name, text, .. } = given;
-    let mut scene = given.scene();
-    let source = given.source(&scene);
-    let count = source.samples(&scene).unwrap().unwrap().count;
-    let rate_hz = scene.rate_hz;
+    let own = given.scene();
+    let source = given.source(&own);
+    let count = source.samples(&own).unwrap().unwrap().count;
+    let (mut scene, rate_hz) = (own.clone(), own.rate_hz);
     // The unit takes samples from outside, without a stated rate.
     scene.flight = FlightSource::Log("inputs".to_owned());
     let mut play = Play::new(Arc::new(scene), Source::Host).unwrap();
@@ -91,7 +91,7 @@ fn flies_alike(given: &FlownScene) -> (bool, bool) {
         assert_eq!(unsafe { fmi2SetString(unit.component, &place, 1, &text.as_ptr()) }, fmi2OK);
     });
     for index in 0..count {
-        let sample = source.sample(index, rate_hz).unwrap();
+        let sample = source.sample(index, &own).unwrap();
         let (references, values) = inputs_of(&sample);
         assert_eq!(unit.set_reals(&references, &values), fmi2OK);
         let status = unsafe { fmi2DoStep(unit.component, sample.time_s, 1.0 / rate_hz, 1) };

@@ -172,7 +172,7 @@ impl Itinerary {
         if self.is_over() {
             return Ok(None);
         }
-        let sample = self.source.sample(self.place.taken as usize, self.scene.rate_hz);
+        let sample = self.source.sample(self.place.taken as usize, &self.scene);
         sample.map(Some).map_err(|error| self.stopped(error, self.place.start_s))
     }
 
@@ -252,7 +252,7 @@ impl Itinerary {
     /// `error` at the sample with the stamp `time_s` [s]: the one that was accepted last, or the next one.
     fn stopped(&self, error: Error, time_s: f64) -> Stopped {
         let at = |index: u64| {
-            let sample = self.source.sample(index as usize, self.scene.rate_hz).ok()?;
+            let sample = self.source.sample(index as usize, &self.scene).ok()?;
             (sample.time_s == time_s).then(|| self.source.line(index as usize)).flatten()
         };
         let taken = self.place.taken;

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use nalgebra::Vector3;
+
 use super::super::{Samples, Scene};
 use crate::base::error::Error;
 use crate::log::FlightLog;
@@ -34,14 +36,15 @@ impl Source {
         }
     }
 
-    /// Sample `index`, from 0, of a flight sampled at `rate_hz` [Hz], or of the log.
-    pub fn sample(&self, index: usize, rate_hz: f64) -> Result<FlightSample, Error> {
+    /// Sample `index`, from 0, of a flight sampled at the rate of `scene`, or of the log.
+    pub fn sample(&self, index: usize, scene: &Scene) -> Result<FlightSample, Error> {
         match self {
             // Rounding must not move the last time past the end.
-            Self::Flight(flight) => flight.sample_at((index as f64 / rate_hz).min(flight.duration_s())),
+            Self::Flight(flight) => flight.sample_at((index as f64 / scene.rate_hz).min(flight.duration_s())),
             Self::Log(log) => {
                 let sample = log.samples().get(index).copied();
-                sample.ok_or_else(|| Error::bad_state("the log has no further sample"))
+                let sample = sample.ok_or_else(|| Error::bad_state("the log has no further sample"))?;
+                Ok(if index == 0 { with_velocity(sample, log.samples().get(1), scene) } else { sample })
             }
             Self::Host => Err(Error::bad_state("the samples come from the host: push them")),
         }
@@ -54,4 +57,16 @@ impl Source {
             Self::Flight(_) | Self::Host => None,
         }
     }
+}
+
+/// The first sample of a log without velocities with the mean velocity up to the next: what the simulator takes when it has both. So the
+/// first record has it.
+fn with_velocity(first: FlightSample, next: Option<&FlightSample>, scene: &Scene) -> FlightSample {
+    let Some(next) = next.filter(|next| first.v_n.is_none() && next.time_s > first.time_s) else {
+        return first;
+    };
+    let (way_e, [east, north, up]) =
+        scene.simulator_options().earth().displacement(&next.place, &first.place);
+    let mean_e = way_e / (next.time_s - first.time_s);
+    FlightSample { v_n: Some(Vector3::new(mean_e.dot(&east), mean_e.dot(&north), mean_e.dot(&up))), ..first }
 }
