@@ -1,7 +1,8 @@
 //! A heading that is off by a constant angle, told from the wind.
 //!
-//! The velocity against the air is along the nose: with the nose d, p to its right, the velocity v, the wind w and an error ε of the heading,
-//! v·p = -tan ε v·d + w'·p, where w' is the wind turned by ε. It is linear in tan ε and w', and the wind does not turn with the vehicle.
+//! The velocity against the air is along the nose: with the nose d, p to its right, the velocity v, the wind w and an error ε of the
+//! heading, v·p = -tan ε v·d + w'·p, where w' is the wind turned by ε. It is linear in tan ε and w', and the wind does not turn with the
+//! vehicle.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -205,6 +205,7 @@ impl Judge {
         self.blocks.add(row, &coarse);
         if !had_unfixed && self.positions.unfixed() > 0 {
             self.blocks.clear();
+            (self.effect, self.lateness) = (InducedError::new(), Lateness::new());
         }
         let before = At { row: row.at.row - 1, time_s: last.time_s };
         let (now, then) = (sample.euler, last.euler);

@@ -140,14 +140,17 @@ fn stairs_of_heights_are_no_motion() {
                 continue;
             }
             let truth = flight.at(rate_hz);
-            let path = smoothed(&stepped(&without_velocities(&truth), 0.0, up_m));
+            let rows = stepped(&without_velocities(&truth), 0.0, up_m);
+            let path = smoothed(&rows);
             let error = acceleration(&truth, &path).z;
             let still: f64 = acceleration(&truth, &coordinated_still(&truth)).z;
             let noise = path.height().noise;
             println!("{} {rate_hz} Hz {up_m} m: {error:.3} of {still:.3} m/s2, {noise:.2} m", flight.name);
             // The motion of the height may be lost, and steps leave a quarter of a metre a second squared.
             assert!(error < still.hypot(0.25), "{} {rate_hz} Hz {up_m} m: {error}", flight.name);
-            assert!(noise > 0.9 * up_m / 12f64.sqrt(), "{} {noise}", flight.name);
+            // A heave that crosses no edge leaves a constant.
+            let has_edges = rows.iter().any(|row| row.place.height_m != rows[0].place.height_m);
+            assert!(!has_edges || noise > 0.9 * up_m / 12f64.sqrt(), "{} {noise}", flight.name);
         }
     }
 }

@@ -14,8 +14,10 @@ const MOVING: f64 = 0.05;
 /// Steps of the values up to which a change behind a run of equal values is that of their resolution.
 const STEPS: f64 = 3.0;
 
-/// Ways of a row, at the speed behind a rest, above which the first change is that of a source that froze before the vehicle moved off; and
-/// the time in which it moved off, over that of the change at the speed behind: that of a steady acceleration.
+/// Intervals of the source above which equal values are a rest, or a source that froze, or one after the other. Ways of an interval, at the
+/// speed behind, above which the first change is that of a source that froze before the vehicle moved off; and the time in which it moved
+/// off, over that of the change at the speed behind: that of a steady acceleration.
+const LONG: f64 = 3.0;
 const FROZE: f64 = 1.5;
 const MOVED_OFF: f64 = 2.0;
 
@@ -44,7 +46,7 @@ struct Run {
 impl Quantity<'_> {
     /// The rows on which it is new: the first of each run of equal values; and at rest a row for each interval of the source.
     pub fn fresh(&self) -> Result<Vec<usize>, Error> {
-        let runs = self.runs()?;
+        let mut runs = self.runs()?;
         let times_s = self.times_s;
         let held: usize = runs.iter().filter(|run| run.is_held).map(|run| run.next - run.first - 1).sum();
         let mut source_s = median(times_s.windows(2).map(|two| two[1] - two[0]))?;
@@ -53,6 +55,13 @@ impl Quantity<'_> {
             let lasts = runs.windows(2).filter(|two| two[0].is_held || two[0].next == two[0].first + 1);
             moving.extend(lasts.map(|two| times_s[two[1].first] - times_s[two[0].first]));
             source_s = median(moving.into_iter())?;
+        }
+        for k in 0..runs.len().saturating_sub(2) {
+            let (first_s, next_s) = (times_s[runs[k].first], times_s[runs[k].next]);
+            if next_s - first_s > LONG * source_s {
+                let moves_off = self.moves_off(&runs[k], &runs[k + 1], &runs[k + 2], source_s);
+                (runs[k].is_held, runs[k].moves_off) = (false, moves_off);
+            }
         }
         let mut list: Vec<usize> = room(times_s.len())?;
         let last = runs.len() - 1;
@@ -93,19 +102,15 @@ impl Quantity<'_> {
             runs.push(Run { first, next, is_held, moves_off: next });
             first = next;
         }
-        for k in 0..runs.len().saturating_sub(2) {
-            runs[k].moves_off = self.moves_off(&runs[k], &runs[k + 1], &runs[k + 2]);
-        }
         Ok(runs)
     }
 
     /// The row of a rest from which on the source froze, as the change behind it shows; or its end.
-    fn moves_off(&self, rest: &Run, now: &Run, behind: &Run) -> usize {
+    fn moves_off(&self, rest: &Run, now: &Run, behind: &Run, source_s: f64) -> usize {
         let (times_s, distance) = (self.times_s, self.distance);
         let change = distance(rest.first, now.first).min(distance(rest.first, behind.first));
         let speed = distance(now.first, behind.first) / (times_s[behind.first] - times_s[now.first]);
-        let last_s = times_s[now.first] - times_s[now.first - 1];
-        if change <= STEPS * self.step || change <= FROZE * speed * last_s {
+        if change <= STEPS * self.step || change <= FROZE * speed * source_s {
             return rest.next;
         }
         let from_s = times_s[now.first] - MOVED_OFF * change / speed;
