@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use sins::judge::Level;
-use sins::log::{FlightLog, survey};
+use sins::log::{FlightLog, Question, survey};
 use sins::scene::Scene;
 use sins::units::DEG;
 
@@ -38,7 +38,8 @@ pub struct Order {
     /// Looks for the columns of a table of any kind, and writes them into this file for --columns
     ///
     /// Tables of many avionics, simulators and services are known by their columns (docs/your_log.md names them). Of another table,
-    /// quantities, units and times are guessed from names, lines of units and values. What is not sure is said.
+    /// quantities, units and times are guessed from names, lines of units and values. What is not sure is said, and what is unknown is asked,
+    /// with exit code 2.
     #[arg(long, value_name = "MAP.toml", conflicts_with_all = ["columns", "smooth"])]
     map: Option<PathBuf>,
     /// Exits with code 2 if a finding is doubtful or unusable, as the commands that fly a log do with this option
@@ -160,13 +161,29 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
         .format
         .map_or("guessed from names and values".to_owned(), |name| format!("of the format {name}"));
     let doubts: String = found.doubts.iter().map(|doubt| format!("# not sure: {doubt}\n")).collect();
-    let text = format!("{MAP_MARK} in {file}, {format}\n{doubts}\n[log]\n{}", found.text);
+    let questions: String = found.questions.iter().map(|question| asked(question, "# ")).collect();
+    let text = format!("{MAP_MARK} in {file}, {format}\n{doubts}{questions}\n[log]\n{}", found.text);
     // One that was edited is not replaced.
     let is_same = std::fs::read(path).is_ok_and(|found| found == text.as_bytes());
     let mark = if is_same { MAP_MARK } else { NO_MARK };
     Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, mark)?.finish(text)?;
     let doubts: String = found.doubts.iter().map(|doubt| format!("not sure: {doubt}\n")).collect();
-    print(&format!("{}: the columns are {format}\n{doubts}", path.display()))
+    print(&format!("{}: the columns are {format}\n{doubts}", path.display()))?;
+    if found.questions.is_empty() {
+        return Ok(());
+    }
+    let questions: String = found.questions.iter().map(|question| asked(question, "")).collect();
+    let [map, log] = [quoted(path), quoted(&order.file)];
+    let next =
+        format!("write an answer to each into {map}, and look again: `sins log {log} --columns {map}`");
+    Err(Failure::of_file(&order.file, &format!("what flies is not certain\n{questions}{next}")))
+}
+
+/// A question with its answers, which are lines of `[log]`.
+fn asked(question: &Question, mark: &str) -> String {
+    let answers = question.answers.iter().flat_map(|answer| answer.lines());
+    let answers: String = answers.map(|line| format!("{mark}  {line}\n")).collect();
+    format!("{mark}{}:\n{answers}", question.sentence)
 }
 
 /// Writes the path as a log.

@@ -53,7 +53,7 @@ impl Clock {
     pub fn next(&mut self, text: &str) -> Option<f64> {
         self.rows += 1;
         match self.format {
-            TimeFormat::Number => text.parse().ok().filter(|time_s: &f64| time_s.is_finite()),
+            TimeFormat::Number => of_number(text),
             TimeFormat::Row => Some((self.rows - 1) as f64 / self.rate_hz),
             TimeFormat::Hms => {
                 let time_s = time_of_day(text)?;
@@ -70,6 +70,12 @@ impl Clock {
             }
         }
     }
+}
+
+/// A number, also with the unit of seconds behind it, as durations are written: 0.1 sec.
+fn of_number(text: &str) -> Option<f64> {
+    let bare = ["sec", "s"].iter().find_map(|unit| text.strip_suffix(unit)).unwrap_or(text);
+    bare.trim_end().parse().ok().filter(|time_s: &f64| time_s.is_finite())
 }
 
 /// A number of digits alone, with decimals where `is_last`.

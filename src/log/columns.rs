@@ -8,7 +8,7 @@ use super::column::ColumnFrom;
 use super::guess::{Guess, guess, hemisphere_of};
 use super::mapping::{LogMapping, TimeFormat};
 use super::quantity::{
-    FORCE, FORWARD, OF_SAMPLE, Q0, QUANTITIES, RATE, ROLL, SPEED, TEMPERATURE, VARIATION, VELOCITY,
+    DDMM, FORCE, FORWARD, OF_SAMPLE, Q0, QUANTITIES, RATE, ROLL, SPEED, TEMPERATURE, VARIATION, VELOCITY,
     in_degrees, name,
 };
 use super::{LogError, fault};
@@ -38,6 +38,8 @@ pub struct Column {
     pub offset: f64,
     /// Which part of the cell it is, from 1; 0: the whole cell.
     pub part: usize,
+    /// Whether the cell has degrees and minutes.
+    pub is_ddmm: bool,
     /// Place of the letter of the hemisphere; `None`: it has none of its own.
     pub hemisphere: Option<usize>,
     /// Name of the column.
@@ -122,6 +124,7 @@ fn own_column(header: &StringRecord, line: u64, quantity: usize) -> Result<Optio
             factor,
             offset: 0.0,
             part: 0,
+            is_ddmm: false,
             hemisphere: None,
             name: name.to_owned(),
         });
@@ -154,7 +157,7 @@ fn mapped_column(
         ColumnFrom::Constant(value) => (value * factor + offset, key.to_owned()),
         ColumnFrom::OwnName => (offset, key.to_owned()),
     };
-    Ok(Column { place, factor, offset, part: mapped.part, hemisphere, name })
+    Ok(Column { place, factor, offset, part: mapped.part, is_ddmm: mapped.unit == DDMM, hemisphere, name })
 }
 
 /// The place in a row of the column that `key` gives; `None`: it gives none.

@@ -39,10 +39,10 @@ pub use foreign::{Foreign, foreign};
 pub(crate) use hemisphere::sides;
 pub use joined::FilesError;
 pub use mapping::{LogMapping, Separator, TimeFormat};
+pub(crate) use quantity::{DDMM, Quantity, unit_of, units_of};
 pub use quantity::{QUANTITIES, column_of, quantity_of};
-pub(crate) use quantity::{Quantity, unit_of, units_of};
 pub use smoothed::RowOfPath;
-pub use survey::{Survey, survey};
+pub use survey::{Question, Survey, survey};
 pub use text::decoded;
 
 /// Largest number of columns of a log, and of bytes of a line.

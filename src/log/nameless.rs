@@ -115,6 +115,7 @@ pub fn nameless(table: &str) -> Option<Survey> {
         format: Some(found.name),
         text: found.keys.to_owned(),
         doubts: vec![found.doubt.to_owned()],
+        questions: Vec::new(),
     })
 }
 

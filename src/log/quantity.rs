@@ -93,22 +93,34 @@ pub const Q0: usize = 23;
 pub const VARIATION: usize = 27;
 pub const GEOID: usize = 28;
 
+/// The unit of latitudes and longitudes in degrees and minutes, as 4718.25 for 47 degrees and 18.25 minutes.
+pub const DDMM: &str = "ddmm";
+
 /// The units, and their sizes in SI. The first of a dimension is that of a key of `[log]` that states none.
-const UNITS: [(&str, Dimension, f64); 23] = [
+const UNITS: [(&str, Dimension, f64); 32] = [
     ("s", Time, 1.0),
     ("ms", Time, 1e-3),
     ("us", Time, 1e-6),
     ("ns", Time, 1e-9),
     ("deg", Angle, DEG),
     ("rad", Angle, 1.0),
+    ("arcmin", Angle, DEG / 60.0),
+    ("arcsec", Angle, DEG / 3600.0),
+    ("semicircle", Angle, core::f64::consts::PI / 2_147_483_648.0),
+    (DDMM, Angle, DEG),
     ("m", Length, 1.0),
     ("ft", Length, 0.3048),
+    ("mm", Length, 1e-3),
+    ("cm", Length, 1e-2),
+    ("km", Length, 1e3),
     ("m/s", Speed, 1.0),
     ("kt", Speed, NMI_PER_HOUR),
     ("ft/s", Speed, 0.3048),
     ("ft/min", Speed, 0.3048 / 60.0),
     ("mph", Speed, 0.44704),
     ("km/h", Speed, 1.0 / 3.6),
+    ("cm/s", Speed, 1e-2),
+    ("mm/s", Speed, 1e-3),
     ("rad/s", AngularRate, 1.0),
     ("deg/s", AngularRate, DEG),
     ("deg", AngularRate, DEG),

@@ -1,5 +1,7 @@
 //! The rows of a log: lines, values, samples.
 
+use core::f64::consts::TAU;
+
 use csv::{ReaderBuilder, StringRecord, Trim};
 use nalgebra::{Quaternion, Vector3};
 
@@ -11,7 +13,7 @@ use super::quantity::{
     quantity_of,
 };
 use super::{LogError, LogMapping, MAX_LINE, Separator, fault};
-use crate::base::error::Error;
+use crate::base::error::{Error, check_range};
 use crate::base::math::{Euler, attitude_from_euler, euler_from_attitude, rotate, sin_cos};
 use crate::base::memory::room;
 use crate::base::text::{Fault, excerpt};
@@ -205,7 +207,9 @@ impl Table<'_> {
         if let Some(last) = last.filter(|_| !has_fix) {
             (sample.place, sample.v_n) = (last.place, last.v_n);
         }
-        sample.validate().map_err(|error| match (out_of_range(&error, line, &self.columns), cells) {
+        let is_on_earth = || check_range("sample.longitude_rad", sample.place.longitude_rad, -TAU, TAU);
+        let checked = sample.validate().and_then(|()| if self.is_mapped { is_on_earth() } else { Ok(()) });
+        checked.map_err(|error| match (out_of_range(&error, line, &self.columns), cells) {
             // A record has no columns.
             (LogError::Fault(found), Cells::Numbers(_)) => LogError::Fault(Fault { column: 1, ..found }),
             (found, _) => found,
@@ -292,7 +296,19 @@ fn number_of(
         let sentence = format!("{name}: expected {what}, found \"{}\"{hint}", excerpt(text));
         return Err(fault(line, place + 1, sentence));
     }
-    Ok(number)
+    if !column.is_ddmm {
+        return Ok(number);
+    }
+    let degrees = number.and_then(of_degrees_and_minutes);
+    let refused = || format!("{name}: expected degrees and minutes, as 4718.25, found \"{}\"", excerpt(text));
+    degrees.ok_or_else(|| fault(line, place + 1, refused())).map(Some)
+}
+
+/// Degrees from degrees and minutes, as 4718.25; `None`: there are 60 minutes or more.
+pub fn of_degrees_and_minutes(number: f64) -> Option<f64> {
+    let degrees = (number / 100.0).trunc();
+    let minutes = number - 100.0 * degrees;
+    (minutes.abs() < 60.0).then_some(degrees + minutes / 60.0)
 }
 
 /// Whether a quantity is one of a fix: of the position or of the velocity.

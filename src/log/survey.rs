@@ -1,5 +1,9 @@
 //! A look at a table: the `[log]` that reads it, of a known format or guessed from names, units and values.
 
+mod evidence;
+mod motion;
+mod position;
+mod times;
 mod units;
 
 use super::grid::Grid;
@@ -21,6 +25,17 @@ pub struct Survey {
     pub text: String,
     /// What is not sure, in sentences.
     pub doubts: Vec<String>,
+    /// What must be answered before the log flies: the text has no key for it.
+    pub questions: Vec<Question>,
+}
+
+/// What a table does not say, and a flight needs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Question {
+    /// What is asked.
+    pub sentence: String,
+    /// Lines of `[log]`, each with what it would mean behind `#`; one of them is the answer.
+    pub answers: Vec<String>,
 }
 
 /// Rate below which rows are smoothed \[Hz\]: at this rate a turn is seen by a few rows.
@@ -57,25 +72,39 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     let table = decoded(table).ok()?;
     let Some(grid) = Grid::of(&table) else { return nameless(&table) };
     let known = known(&grid.names);
-    let mut draft = Draft { grid: &grid, places: Vec::new(), keys: Vec::new(), doubts: Vec::new() };
+    let (places, keys, doubts, questions) = Default::default();
+    let mut draft = Draft { grid: &grid, places, keys, doubts, questions };
     match known {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
     }
+    draft.position(known.is_some());
     draft.only_one();
     draft.complete();
     let text = draft.layout().chain(draft.keys).map(|(key, value)| format!("{key} = {value}\n")).collect();
-    Some(Survey { format: known.map(|known| known.name), text, doubts: draft.doubts })
+    let format = known.map(|known| known.name);
+    Some(Survey { format, text, doubts: draft.doubts, questions: draft.questions })
+}
+
+/// The column of a quantity.
+struct Place {
+    key: &'static str,
+    place: usize,
+    /// What its name or a line of units states; empty: nothing.
+    unit: &'static str,
+    /// The part of its cells, from 1; 0: all of them.
+    part: usize,
 }
 
 /// The keys of `[log]`, while they are found.
 struct Draft<'g> {
     grid: &'g Grid,
     /// The column of each quantity that has one.
-    places: Vec<(&'static str, usize)>,
+    places: Vec<Place>,
     /// Each with its value in TOML.
     keys: Vec<(&'static str, String)>,
     doubts: Vec<String>,
+    questions: Vec<Question>,
 }
 
 impl Draft<'_> {
@@ -91,6 +120,28 @@ impl Draft<'_> {
         self.keys.push((key, value.into()));
     }
 
+    /// Sets a key that has a value to another one.
+    fn replace(&mut self, key: &str, value: String) {
+        let old = self.keys.iter_mut().filter(|(known, _)| *known == key);
+        old.for_each(|(_, old)| old.clone_from(&value));
+    }
+
+    fn remove(&mut self, key: &str) {
+        self.keys.retain(|(known, _)| *known != key);
+    }
+
+    fn ask(&mut self, question: Question) {
+        self.questions.push(question);
+    }
+
+    fn add_place(&mut self, key: &'static str, place: usize, unit: &str) {
+        let dimension =
+            QUANTITIES.iter().find(|quantity| quantity.key == key).map(|quantity| quantity.dimension);
+        let unit = Some(unit).filter(|unit| !unit.is_empty());
+        let unit = unit.zip(dimension).and_then(|(unit, dimension)| unit_of(dimension, unit));
+        self.places.push(Place { key, place, unit: unit.map_or("", |(unit, _)| unit), part: 0 });
+    }
+
     fn doubt(&mut self, sentence: impl Into<String>) {
         self.doubts.push(sentence.into());
     }
@@ -98,10 +149,10 @@ impl Draft<'_> {
     /// The keys of a known format, as far as their columns are there.
     fn of_known(&mut self, known: &'static Known) {
         for Key { name: key, value } in known.keys {
-            if let Value::Column { name: column, .. } = value {
-                let place = self.grid.names.iter().position(|name| name == *column);
+            if let Value::Column { name: column, unit, part, .. } = *value {
+                let place = self.grid.names.iter().position(|name| name == column);
                 let Some(place) = place.filter(|_| self.value(key).is_none()) else { continue };
-                self.places.push((key, place));
+                self.places.push(Place { key, place, unit, part });
             }
             self.set(key, value.text());
         }
@@ -118,11 +169,24 @@ impl Draft<'_> {
         guesses.sort_by_key(|(guess, _)| (guess.quantity, guess.rank));
         let of_quantities: Vec<_> =
             guesses.chunk_by(|(one, _), (other, _)| one.quantity == other.quantity).collect();
-        self.places =
-            of_quantities.iter().map(|them| (QUANTITIES[them[0].0.quantity].key, them[0].1)).collect();
+        let mut of_time: &[(Guess, usize)] = &[];
+        for them in &of_quantities {
+            let (guess, place) = them[0];
+            let about = &QUANTITIES[guess.quantity];
+            if about.dimension == Dimension::Time {
+                of_time = them;
+                continue;
+            }
+            let stated = self.stated(guess.unit, about.dimension, place);
+            self.add_place(about.key, place, stated.unwrap_or(""));
+        }
+        self.times(of_time);
         for them in of_quantities {
             let Some((&(guess, place), others)) = them.split_first() else { continue };
             let about = &QUANTITIES[guess.quantity];
+            if about.dimension == Dimension::Time {
+                continue;
+            }
             let name = excerpt(&self.grid.names[place]);
             for (_, other) in others {
                 self.doubt(format!(
@@ -133,18 +197,11 @@ impl Draft<'_> {
                     excerpt(&self.grid.names[*other])
                 ));
             }
-            if about.dimension == Dimension::Time {
-                self.time(place, guess.unit);
-                continue;
-            }
             if about.key == "variation" && !["heading", "track"].iter().any(|key| self.is_magnetic(key)) {
                 self.doubt(format!("{name} is not used: no name says that the heading is magnetic"));
                 continue;
             }
-            let stated = || {
-                self.grid.stated(place).find_map(|unit| unit_of(about.dimension, unit)).map(|(unit, _)| unit)
-            };
-            let unit = Some(guess.unit).filter(|unit| !unit.is_empty()).or_else(stated);
+            let unit = self.stated(guess.unit, about.dimension, place);
             let unit = unit.unwrap_or_else(|| self.unstated(about.key, about.dimension, &name));
             let is_usual =
                 unit.is_empty() || unit_of(about.dimension, "").is_some_and(|(usual, _)| usual == unit);
@@ -164,6 +221,13 @@ impl Draft<'_> {
         }
     }
 
+    /// The unit of a column that its name or a line of units states.
+    fn stated(&self, of_name: &'static str, dimension: Dimension, place: usize) -> Option<&'static str> {
+        let of_lines =
+            || self.grid.stated(place).find_map(|unit| unit_of(dimension, unit)).map(|(unit, _)| unit);
+        Some(of_name).filter(|unit| !unit.is_empty()).or_else(of_lines)
+    }
+
     /// The column with the letters of the hemisphere of a quantity in column `place`: its name says so, or it stands beside, and its cells
     /// are letters of hemispheres.
     fn hemisphere(&self, quantity: usize, place: usize) -> Option<usize> {
@@ -181,7 +245,8 @@ impl Draft<'_> {
     fn named_or_numbered(&self, place: usize) -> String {
         let name = &self.grid.names[place];
         let is_single = self.grid.names.iter().filter(|other| *other == name).count() == 1;
-        let is_written = name.len() <= MAX_TEXT_VALUE && !name.chars().any(char::is_control);
+        let is_written =
+            !name.is_empty() && name.len() <= MAX_TEXT_VALUE && !name.chars().any(char::is_control);
         if is_single && is_written { text_in_quotes(name) } else { (place + 1).to_string() }
     }
 
@@ -255,30 +320,16 @@ impl Draft<'_> {
             };
             self.doubt(format!("left out: {}; {why}", found.join(", ")));
         }
-        for key in ["latitude", "longitude"] {
-            // Receivers and old logs write whole numbers of 1e-7 deg.
-            if self.numbers(key).is_some_and(|values| largest(&values) > 1000.0) {
-                let Some(place) = self.place(key) else { continue };
-                let value = self.column(place, ", scale = 1e-7");
-                self.keys
-                    .iter_mut()
-                    .filter(|(known, _)| *known == key)
-                    .for_each(|(_, old)| old.clone_from(&value));
-                self.doubt(format!("{} is taken as 1e-7 deg", excerpt(&self.grid.names[place])));
-            }
-        }
         if self.value("height").is_none() {
             self.set("height", "0");
             self.doubt("there is no height: it is taken as 0");
         }
-        if self.value("time").is_none() {
-            self.set("time_format", "\"row\"");
-            self.set("rate_hz", "1");
-            self.doubt("there is no time: a row is taken as a second");
+        if self.value("time").is_none() && self.place("time").is_none() {
+            self.ask_for_time();
         }
         for key in ["latitude", "longitude"] {
-            if self.value(key).is_none() {
-                self.doubt(format!("no column is known as the {key}: name it"));
+            if self.place(key).is_none() {
+                self.ask_for_column(key);
             }
         }
         if self.value("attitude").is_none() && !self.has_all(&ATTITUDE) {
@@ -314,24 +365,22 @@ impl Draft<'_> {
 
     /// The mean rate of the rows.
     fn rate_hz(&self) -> Option<f64> {
-        let (place, column) = (self.place("time")?, self.value("time")?);
-        let format = self.value("time_format").map_or("s", |quoted| quoted.trim_matches('"'));
-        let (_, format) = *TimeFormat::WORDS.iter().find(|(word, _)| *word == format)?;
-        let mut clock = clock(format);
-        let times: Vec<f64> = self
-            .grid
-            .cells(place)
-            .filter_map(|cell| clock.next(&self.grid.separator.with_point(cell)))
-            .collect();
-        let unit = ["ms", "us", "ns"].into_iter().find(|unit| column.contains(&format!("\"{unit}\"")));
-        let (_, si) = unit_of(Dimension::Time, unit.unwrap_or("s"))?;
+        let place = self.place("time")?;
+        let mut clock = clock(self.format_of_time());
+        let times =
+            self.grid.cells(place).filter_map(|cell| clock.next(&self.grid.separator.with_point(cell)));
+        let times: Vec<f64> = times.collect();
         let [first, .., last] = times[..] else { return None };
-        Some((times.len() - 1) as f64 / ((last - first) * si)).filter(|rate| *rate > 0.0)
+        Some((times.len() - 1) as f64 / ((last - first) * self.time_si())).filter(|rate| *rate > 0.0)
     }
 
     /// The place of the column of a quantity.
     fn place(&self, key: &str) -> Option<usize> {
-        self.places.iter().find(|(known, _)| *known == key).map(|(_, place)| *place)
+        self.found(key).map(|found| found.place)
+    }
+
+    fn found(&self, key: &str) -> Option<&Place> {
+        self.places.iter().find(|found| found.key == key)
     }
 
     /// The numbers of a quantity, if there are any.
@@ -348,5 +397,7 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
+#[cfg(test)]
+mod conventions;
 #[cfg(test)]
 pub mod tests;

@@ -2,7 +2,7 @@
 
 use super::value::Value;
 use crate::base::text::{MAX_TEXT_VALUE, excerpt, listed, nearest};
-use crate::log::{ColumnFrom, LogColumn, QUANTITIES, Quantity, sides, unit_of, units_of};
+use crate::log::{ColumnFrom, DDMM, LogColumn, QUANTITIES, Quantity, sides, unit_of, units_of};
 
 /// What a column takes, in words.
 pub const TAKES: &str = "\"NAME\" of a column, { col = \"NAME\", unit = \"ft\" }, or a number";
@@ -42,6 +42,8 @@ pub fn column_of(value: &Value, quantity: usize) -> Result<LogColumn, String> {
         Value::Table(parts) => parts,
         _ => return Err(format!("log.{key}: expected {TAKES}")),
     };
+    // Degrees and minutes are those of a position.
+    let is_its = |unit: &str| unit != DDMM || sides(quantity).is_some();
     let mut column = LogColumn::default();
     for (part, value) in parts {
         let expected = |what: &str| format!("log.{key}.{part}: expected {what}");
@@ -52,11 +54,13 @@ pub fn column_of(value: &Value, quantity: usize) -> Result<LogColumn, String> {
             }
             ("col", value) => column.from = place(part, value)?,
             ("value", _) => column.from = ColumnFrom::Constant(number()?),
-            ("unit", Value::Text(text)) if !text.is_empty() && unit_of(dimension, text).is_some() => {
+            ("unit", Value::Text(text))
+                if !text.is_empty() && is_its(text) && unit_of(dimension, text).is_some() =>
+            {
                 column.unit = unit_of(dimension, text).map_or("", |(unit, _)| unit);
             }
             ("unit", _) => {
-                let units: Vec<&str> = units_of(dimension).collect();
+                let units: Vec<&str> = units_of(dimension).filter(|unit| is_its(unit)).collect();
                 return Err(expected(&units.join(", ")));
             }
             ("sign", _) => {

@@ -154,3 +154,26 @@ fn an_error_about_columns_names_the_command_that_finds_them() {
     let errors = rejected(&folder, &["fly", "nothing.csv"]);
     assert!(errors.contains("missing columns") && !errors.contains("--map"), "{errors}");
 }
+
+/// What a table does not say is asked, and the file that is written flies nothing until a line of it is taken for the answer.
+#[test]
+fn what_is_unknown_is_asked_and_the_answer_flies() {
+    let folder = folder("asked");
+    let rows =
+        circle(10, 60).into_iter().map(|[t, latitude, longitude, height, roll, pitch, heading, ..]| {
+            format!("{},{latitude},{longitude},{height},{roll},{pitch},{heading}\n", t * 1e4)
+        });
+    let table = "Moment,lat,lon,alt (m),roll (deg),pitch (deg),heading (deg)\n".to_owned();
+    std::fs::write(folder.join("a.csv"), table + &rows.collect::<String>()).unwrap();
+    let errors = rejected(&folder, &["log", "a.csv", "--map", "map.toml"]);
+    let answer = "time = { col = \"Moment\", scale = 1e-4 }  # 10 Hz";
+    assert!(errors.contains("no column is understood as the time") && errors.contains(answer), "{errors}");
+    assert!(errors.contains("look again: `sins log a.csv --columns map.toml`"), "{errors}");
+    let map = read(folder.join("map.toml"));
+    assert!(map.contains(&format!("#   {answer}")), "{map}");
+    rejected(&folder, &["fly", "a.csv", "--columns", "map.toml"]);
+    std::fs::write(folder.join("map.toml"), map.replace(&format!("#   {answer}"), "") + answer).unwrap();
+    let said = done(&folder, &["log", "a.csv", "--columns", "map.toml"]);
+    assert!(said.starts_with("a.csv: 601 rows over 60 s, 10 Hz"), "{said}");
+    done(&folder, &["fly", "-q", "a.csv", "--columns", "map.toml"]);
+}

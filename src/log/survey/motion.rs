@@ -1,0 +1,197 @@
+//! The motion in a table: positions row by row, and what the columns of speed and course say of it.
+
+use super::super::rows::of_degrees_and_minutes;
+use crate::base::math::{atan2, hypot, ln, sin_cos, wrap_angle};
+use crate::base::units::DEG;
+
+/// Radius of the Earth, for comparisons \[m\].
+const RADIUS_M: f64 = 6.371e6;
+
+/// Number of parts of a log whose speeds are compared, and the share of the usual way that a part needs.
+const PARTS: usize = 16;
+const MOVING: f64 = 0.1;
+
+/// A step has this many of the finest steps of the numbers, so that their rounding is not taken for a way.
+const FINEST: f64 = 5.0;
+
+/// Largest misfit of a speed \[1\] and of a course \[deg\], which may be magnetic.
+const SPEED_FITS: f64 = 0.05;
+const COURSE_FITS_DEG: f64 = 25.0;
+
+/// A reading is the only one if the misfit of each other is larger by this factor, and by this difference.
+const ALONE: f64 = 3.0;
+const ALONE_BY: f64 = 0.003;
+
+/// A way to read the numbers of a position.
+pub struct Reading {
+    pub words: &'static str,
+    /// What a column of `[log]` says of it.
+    pub part: &'static str,
+    pub degrees: fn(f64) -> Option<f64>,
+}
+
+/// Degrees come first.
+pub const READINGS: [Reading; 9] = [
+    Reading { words: "degrees", part: "", degrees: |number| Some(number) },
+    Reading {
+        words: "degrees and minutes (ddmm.mmm)",
+        part: ", unit = \"ddmm\"",
+        degrees: of_degrees_and_minutes,
+    },
+    Reading { words: "minutes", part: ", unit = \"arcmin\"", degrees: |number| Some(number / 60.0) },
+    Reading { words: "seconds of arc", part: ", unit = \"arcsec\"", degrees: |number| Some(number / 3600.0) },
+    Reading { words: "1e-5 deg", part: ", scale = 1e-5", degrees: |number| Some(number * 1e-5) },
+    Reading { words: "1e-6 deg", part: ", scale = 1e-6", degrees: |number| Some(number * 1e-6) },
+    Reading { words: "1e-7 deg", part: ", scale = 1e-7", degrees: |number| Some(number * 1e-7) },
+    Reading {
+        words: "semicircles",
+        part: ", unit = \"semicircle\"",
+        degrees: |number| Some(number * 180.0 / 2_147_483_648.0),
+    },
+    Reading { words: "radians", part: ", unit = \"rad\"", degrees: |number| Some(number / DEG) },
+];
+
+/// A row with a position.
+#[derive(Debug, Clone, Copy)]
+pub struct Row {
+    /// In the unit of the table; the number of the row if the table has no time.
+    pub time: f64,
+    pub latitude: f64,
+    pub longitude: f64,
+    /// Not a number where the table has none; in m/s if `Motion::speed_units` has 1 alone.
+    pub speed: f64,
+    /// Course over ground [rad], or not a number.
+    pub course: f64,
+}
+
+/// The rows of a table in motion.
+pub struct Motion {
+    pub rows: Vec<Row>,
+    pub is_timed: bool,
+    /// Sizes of the units that the speed may have \[m/s\].
+    pub speed_units: Vec<f64>,
+    /// Rows of a step.
+    stride: usize,
+}
+
+/// A step of the path.
+struct Step {
+    way_m: f64,
+    track: f64,
+    /// Way that the speed says, in the units of the table.
+    said: f64,
+    course: f64,
+    time: f64,
+}
+
+/// How a reading agrees with the columns of speed and course.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Fit {
+    /// Speed of the positions by that of the column.
+    pub ratio: Option<f64>,
+    pub course_deg: Option<f64>,
+}
+
+impl Motion {
+    pub fn new(rows: Vec<Row>, is_timed: bool, speed_units: Vec<f64>) -> Self {
+        let differences = |of: fn(&Row) -> f64| {
+            rows.windows(2).map(move |two| (of(&two[1]) - of(&two[0])).abs()).collect::<Vec<f64>>()
+        };
+        let [latitudes, longitudes] = [differences(|row| row.latitude), differences(|row| row.longitude)];
+        let changes = latitudes.iter().chain(&longitudes).filter(|change| **change > 0.0);
+        let finest = changes.copied().fold(f64::INFINITY, f64::min);
+        let larger = latitudes.iter().zip(&longitudes).map(|(one, other)| one.max(*other));
+        let usual = median(larger.filter(|step| *step > 0.0)).unwrap_or(f64::INFINITY);
+        let stride = (FINEST * finest / usual).ceil().clamp(1.0, (rows.len() / PARTS).max(1) as f64);
+        Self { is_timed, speed_units, stride: if stride.is_nan() { 1 } else { stride as usize }, rows }
+    }
+
+    /// The place of a row; `None`: it is none on the Earth.
+    fn place(&self, row: &Row, reading: &Reading, is_exchanged: bool) -> Option<[f64; 2]> {
+        let (latitude, longitude) =
+            if is_exchanged { (row.longitude, row.latitude) } else { (row.latitude, row.longitude) };
+        let place = [(reading.degrees)(latitude)?, (reading.degrees)(longitude)?];
+        (place[0].abs() <= 90.0 && place[1].abs() <= 360.0).then_some(place)
+    }
+
+    /// The first place; `None`: with this reading a row is nowhere on the Earth.
+    pub fn first_place(&self, reading: &Reading, is_exchanged: bool) -> Option<[f64; 2]> {
+        let mut places = self.rows.iter().map(|row| self.place(row, reading, is_exchanged));
+        let first = places.next()??;
+        places.all(|place| place.is_some()).then_some(first)
+    }
+
+    fn steps(&self, reading: &Reading, is_exchanged: bool) -> Vec<Step> {
+        let step = |rows: &[Row]| {
+            let [from, to] = [rows.first()?, rows.last()?];
+            let [a, b] = [self.place(from, reading, is_exchanged)?, self.place(to, reading, is_exchanged)?];
+            let (_, cosine) = sin_cos(0.5 * (a[0] + b[0]) * DEG);
+            let north = (b[0] - a[0]) * DEG;
+            let east = wrap_angle((b[1] - a[1]) * DEG) * cosine;
+            let said =
+                rows.windows(2).map(|two| 0.5 * (two[0].speed + two[1].speed) * (two[1].time - two[0].time));
+            Some(Step {
+                way_m: RADIUS_M * hypot(north, east),
+                track: atan2(east, north),
+                said: said.sum(),
+                course: rows[rows.len() / 2].course,
+                time: to.time - from.time,
+            })
+        };
+        let steps = self.rows.windows(self.stride + 1).step_by(self.stride).filter_map(step);
+        steps.filter(|step| step.time > 0.0).collect()
+    }
+
+    /// The median speed over ground, if times are of this unit \[m/s\].
+    pub fn speed(&self, reading: &Reading, is_exchanged: bool, time_si: f64) -> Option<f64> {
+        median(self.steps(reading, is_exchanged).iter().map(|step| step.way_m / (step.time * time_si)))
+    }
+
+    /// The median of the speeds that the column of the speed has, in its unit.
+    pub fn said(&self) -> Option<f64> {
+        median(self.rows.iter().map(|row| row.speed).filter(|speed| speed.is_finite()))
+    }
+
+    /// How a reading agrees with the speed in m/s and with the course.
+    pub fn fit(&self, reading: &Reading, is_exchanged: bool, time_si: f64) -> Fit {
+        let steps = self.steps(reading, is_exchanged);
+        let with_speed: Vec<&Step> = steps.iter().filter(|step| step.said.is_finite()).collect();
+        let all: f64 = with_speed.iter().map(|step| step.said).sum();
+        let size = with_speed.len().div_ceil(PARTS).max(1);
+        let parts = with_speed.chunks(size).map(|part| {
+            let sum = |of: fn(&Step) -> f64| part.iter().map(|step| of(step)).sum::<f64>();
+            (sum(|step| step.way_m), sum(|step| step.said))
+        });
+        let count = with_speed.len().div_ceil(size).max(1) as f64;
+        let moving = parts.filter(|(_, said)| *said > MOVING * all / count);
+        let ratio = median(moving.map(|(way_m, said)| way_m / (said * time_si)));
+        let mean_m = steps.iter().map(|step| step.way_m).sum::<f64>() / steps.len().max(1) as f64;
+        let turns = steps.iter().filter(|step| step.way_m > MOVING * mean_m && step.course.is_finite());
+        let course = median(turns.map(|step| wrap_angle(step.track - step.course).abs()));
+        Fit { ratio, course_deg: course.map(|course| course / DEG) }
+    }
+
+    /// How badly a reading fits; `None`: it contradicts the speed or the course, or there is no speed.
+    pub fn misfit(&self, fit: &Fit) -> Option<f64> {
+        let of_unit = |unit: &f64| fit.ratio.map(|ratio| ln(ratio / unit).abs());
+        let speed = self.speed_units.iter().filter_map(of_unit).fold(f64::INFINITY, f64::min);
+        let course_deg = fit.course_deg.unwrap_or(0.0);
+        (speed < SPEED_FITS && course_deg < COURSE_FITS_DEG).then_some(speed + course_deg * DEG)
+    }
+}
+
+/// The candidate that fits alone.
+pub fn alone<T>(mut candidates: Vec<(T, f64)>) -> Option<T> {
+    candidates.sort_by(|(_, one), (_, other)| one.total_cmp(other));
+    let is_alone = match candidates.as_slice() {
+        [(_, best), (_, next), ..] => *next > ALONE * best && *next > best + ALONE_BY,
+        some => !some.is_empty(),
+    };
+    candidates.into_iter().next().filter(|_| is_alone).map(|(found, _)| found)
+}
+
+pub fn median(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}

@@ -1,0 +1,104 @@
+//! Positions that are no degrees: the readings that agree with the other columns, and those that are asked about.
+
+use super::motion::{Motion, READINGS, Reading, alone};
+use super::times::SPEEDS;
+use super::{Draft, Question};
+use crate::base::text::excerpt;
+
+impl Draft<'_> {
+    /// Looks for the reading of a position that is none in degrees, or contradicts the speed of the table in degrees: one that agrees with
+    /// speed and course alone is taken, and otherwise asked about. Known formats write whole numbers of 1e-7 deg.
+    pub(super) fn position(&mut self, is_known: bool) {
+        let [Some(latitude), Some(longitude)] = ["latitude", "longitude"].map(|key| self.place(key)) else {
+            return;
+        };
+        let is_rad = self.value("latitude").is_some_and(|value| value.contains("\"rad\""));
+        let Some(motion) = self.motion().filter(|_| !is_rad) else { return };
+        let time_si = self.time_si();
+        let degrees = &READINGS[0];
+        let is_possible = motion.first_place(degrees, false).is_some();
+        let is_whole =
+            || motion.rows.iter().all(|row| row.latitude.fract() == 0.0 && row.longitude.fract() == 0.0);
+        if is_known {
+            if !is_possible && is_whole() {
+                self.take([latitude, longitude], &READINGS[6], "");
+            } else if !is_possible {
+                self.ask_for_position([latitude, longitude], &motion, time_si);
+            }
+            return;
+        }
+        let fit = motion.fit(degrees, false, time_si);
+        if is_possible && (fit.ratio.is_none() || motion.misfit(&fit).is_some()) {
+            return;
+        }
+        let candidates = READINGS.iter().flat_map(|reading| [(reading, false), (reading, true)]);
+        let fitting = candidates.filter_map(|(reading, is_exchanged)| {
+            motion.first_place(reading, is_exchanged)?;
+            let misfit = motion.misfit(&motion.fit(reading, is_exchanged, time_si))?;
+            Some(((reading, is_exchanged), misfit))
+        });
+        match alone(fitting.collect()).filter(|_| motion.is_timed) {
+            Some((reading, is_exchanged)) => {
+                let columns = if is_exchanged { [longitude, latitude] } else { [latitude, longitude] };
+                let exchanged = if is_exchanged { ", exchanged" } else { "" };
+                let why = format!("{exchanged}: speed and course agree with no other reading");
+                self.take(columns, reading, &why);
+            }
+            None if is_possible => {
+                let ratio = fit.ratio.unwrap_or(1.0);
+                self.doubt(format!("the positions have {ratio:.3} times the speed of the table in m/s"));
+            }
+            None => self.ask_for_position([latitude, longitude], &motion, time_si),
+        }
+    }
+
+    /// Reads the position from these columns in this way, and says so.
+    fn take(&mut self, columns: [usize; 2], reading: &Reading, why: &str) {
+        for (key, place) in ["latitude", "longitude"].into_iter().zip(columns) {
+            let value = self.column_of_position(key, place, reading);
+            self.replace(key, value);
+            let name = excerpt(&self.grid.names[place]);
+            self.doubt(format!("{name} is taken as {key} in {}{why}", reading.words));
+        }
+    }
+
+    /// A column of a position in TOML.
+    fn column_of_position(&self, key: &str, place: usize, reading: &Reading) -> String {
+        let of_name = self.place(key) == Some(place);
+        let part = self.value(key).filter(|_| of_name).and_then(|value| {
+            let at = value.find(", part = ").or_else(|| value.find(", hemisphere = "))?;
+            value.get(at..)?.strip_suffix(" }")
+        });
+        self.column(place, &format!("{}{}", reading.part, part.unwrap_or("")))
+    }
+
+    /// Asks how a position is read, with what each reading would mean.
+    fn ask_for_position(&mut self, [latitude, longitude]: [usize; 2], motion: &Motion, time_si: f64) {
+        let mut answers = Vec::new();
+        for (reading, is_exchanged) in READINGS.iter().flat_map(|reading| [(reading, false), (reading, true)])
+        {
+            let Some([first, second]) = motion.first_place(reading, is_exchanged) else { continue };
+            let is_fit = || motion.misfit(&motion.fit(reading, is_exchanged, time_si)).is_some();
+            let speed = motion.speed(reading, is_exchanged, time_si).filter(|_| motion.is_timed);
+            if speed.is_some_and(|speed| !SPEEDS.contains(&speed)) || is_exchanged && !is_fit() {
+                continue;
+            }
+            let columns = if is_exchanged { [longitude, latitude] } else { [latitude, longitude] };
+            let [one, other] = [("latitude", columns[0]), ("longitude", columns[1])]
+                .map(|(key, place)| self.column_of_position(key, place, reading));
+            let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s"));
+            let said = motion.said().map_or(String::new(), |said| format!("; the table says {said:.1}"));
+            answers.push(format!(
+                "latitude = {one}\nlongitude = {other}  # {}: from {first:.4}, {second:.4} deg{speed}{said}",
+                reading.words
+            ));
+        }
+        let names = [latitude, longitude].map(|place| excerpt(&self.grid.names[place]));
+        let hint = if answers.is_empty() { ": are they metres of a map?" } else { "" };
+        let sentence = format!("{} and {} are no degrees{hint}", names[0], names[1]);
+        for key in ["latitude", "longitude"] {
+            self.remove(key);
+        }
+        self.ask(Question { sentence, answers });
+    }
+}

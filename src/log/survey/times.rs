@@ -1,0 +1,261 @@
+//! The column of the time, and what its cells mean.
+
+use super::super::TimeFormat;
+use super::super::guess::Guess;
+use super::super::quantity::{Dimension, unit_of};
+use super::motion::{Motion, READINGS, alone, median};
+use super::{Draft, Question, clock};
+use crate::base::records::rounded;
+use crate::base::text::excerpt;
+
+/// Speeds over ground of vehicles \[m/s\], and rates of logs \[Hz\].
+pub const SPEEDS: core::ops::RangeInclusive<f64> = 0.3..=1000.0;
+const RATES: core::ops::RangeInclusive<f64> = 0.01..=2000.0;
+
+/// The units of times, with what a column says of them.
+const UNITS: [(&str, &str, f64); 5] = [
+    ("s", "", 1.0),
+    ("ms", ", unit = \"ms\"", 1e-3),
+    ("us", ", unit = \"us\"", 1e-6),
+    ("ns", ", unit = \"ns\"", 1e-9),
+    ("0.1 ms", ", scale = 1e-4", 1e-4),
+];
+
+/// Largest number of columns that a question names.
+const MOST: usize = 4;
+
+/// A column that may be one of times steps in one of so many rows or more, and by as much within this part of its usual step.
+const FEWEST_STEPS: usize = 20;
+const REGULAR: f64 = 0.3;
+
+/// A column whose stamps tell this part of the rows apart that another one tells is as good.
+const NEARLY: f64 = 0.9;
+
+impl Draft<'_> {
+    /// The format of the times in a column; `None`: none of them reads its first cell.
+    fn time_format(&self, place: usize) -> Option<TimeFormat> {
+        let separator = self.grid.separator;
+        let is_read = |cell: &str, format| clock(format).next(&separator.with_point(cell)).is_some();
+        let first = self.grid.cells(place).next()?;
+        let formats =
+            [TimeFormat::Number, TimeFormat::Iso, TimeFormat::Dmy, TimeFormat::Mdy, TimeFormat::Hms];
+        let format = formats.into_iter().find(|format| is_read(first, *format))?;
+        if matches!(format, TimeFormat::Dmy | TimeFormat::Mdy) {
+            let reads_alone =
+                |one, other| self.grid.cells(place).any(|cell| is_read(cell, one) && !is_read(cell, other));
+            let is_month_first = !reads_alone(TimeFormat::Dmy, TimeFormat::Mdy)
+                && reads_alone(TimeFormat::Mdy, TimeFormat::Dmy);
+            return Some(if is_month_first { TimeFormat::Mdy } else { TimeFormat::Dmy });
+        }
+        (format != TimeFormat::Hms || first.contains(':')).then_some(format)
+    }
+
+    /// Number of rows whose cell differs from the one before.
+    fn changes(&self, place: usize) -> usize {
+        let mut last = None;
+        self.grid.cells(place).filter(|cell| last.replace(*cell) != Some(*cell)).count()
+    }
+
+    /// The keys of the time, of those columns whose names say that they have one: the first that tells the rows apart. A column of dates
+    /// without a name is one too, as the index of a table.
+    pub(super) fn times(&mut self, named: &[(Guess, usize)]) {
+        let nameless = |(place, name): (usize, &str)| {
+            let is_date = || matches!(self.time_format(place), Some(TimeFormat::Iso));
+            (name.is_empty() && is_date()).then_some((place, ""))
+        };
+        let nameless: Vec<_> = self.grid.names.iter().enumerate().filter_map(nameless).collect();
+        let named = named.iter().map(|(guess, place)| (*place, guess.unit));
+        let all: Vec<(usize, &str, TimeFormat)> = named
+            .clone()
+            .chain(nameless)
+            .filter_map(|(place, unit)| Some((place, unit, self.time_format(place)?)))
+            .collect();
+        let most = all.iter().map(|(place, ..)| self.changes(*place)).max().unwrap_or(0);
+        let is_fine = |place: usize| self.changes(place) as f64 >= NEARLY * most as f64;
+        let best = all.iter().find(|(place, ..)| is_fine(*place)).copied();
+        let Some((place, unit, format)) = best else {
+            for (place, _) in named {
+                let first = self.grid.cells(place).next().map_or("nothing".to_owned(), excerpt);
+                let name = excerpt(&self.grid.names[place]);
+                self.doubt(format!("{name} is no time that can be read: {first}"));
+            }
+            return;
+        };
+        for (other, _) in named.filter(|(other, _)| *other != place) {
+            let [own, other_name] = [place, other].map(|place| excerpt(&self.grid.names[place]));
+            self.doubt(format!(
+                "time: column {} ({own}) is taken, column {} ({other_name}) is not",
+                place + 1,
+                other + 1
+            ));
+        }
+        self.add_place("time", place, unit);
+        self.time(place, unit, format);
+    }
+
+    /// The keys of the time in a column.
+    fn time(&mut self, place: usize, unit: &str, format: TimeFormat) {
+        let grid = self.grid;
+        let name = excerpt(&grid.names[place]);
+        if format != TimeFormat::Number {
+            let is_read = |cell: &str, format| clock(format).next(&grid.separator.with_point(cell)).is_some();
+            let is_sure = || {
+                let is_day = |cell| is_read(cell, TimeFormat::Dmy) && !is_read(cell, TimeFormat::Mdy);
+                grid.cells(place).any(is_day)
+            };
+            if format == TimeFormat::Dmy && !is_sure() {
+                self.doubt(format!(
+                    "{name} is taken as day, month, year: no day is above 12; otherwise time_format = \"mdy\""
+                ));
+            }
+            let word =
+                TimeFormat::WORDS.iter().find(|(_, known)| *known == format).map_or("", |(word, _)| word);
+            self.set("time", self.column(place, ""));
+            return self.set("time_format", format!("\"{word}\""));
+        }
+        let in_cell = || grid.cells(place).next().is_some_and(|cell| cell.ends_with('s')).then_some("s");
+        let stated = Some(unit)
+            .filter(|unit| !unit.is_empty())
+            .or_else(|| grid.stated(place).find(|unit| unit_of(Dimension::Time, unit).is_some()))
+            .or_else(in_cell);
+        let part = match stated {
+            Some("s") => "",
+            Some(unit) => UNITS.iter().find(|(known, ..)| *known == unit).map_or("", |(_, part, _)| part),
+            None => match self.unit_of_time(place) {
+                Some(part) => part,
+                None => return,
+            },
+        };
+        self.set("time", self.column(place, part));
+    }
+
+    /// What a column of times says of its unit, if nothing states it: the unit that agrees with the speed of the table; otherwise the first
+    /// one that gives a vehicle, or at rest the one that its steps suggest. `None`: a speed contradicts each, which is asked.
+    fn unit_of_time(&mut self, place: usize) -> Option<&'static str> {
+        let name = excerpt(&self.grid.names[place]);
+        let motion = self.motion();
+        if let Some((unit, part)) = motion.as_ref().and_then(unit_that_fits) {
+            if unit != "s" {
+                self.doubt(format!(
+                    "{name} is taken as {unit}: the positions have the speed of the table then"
+                ));
+            }
+            return Some(part);
+        }
+        let degrees = &READINGS[0];
+        let motion = motion.filter(|motion| motion.first_place(degrees, false).is_some());
+        for (unit, part, si) in UNITS.into_iter().take(4) {
+            let Some(motion) = &motion else { break };
+            let Some(speed) = motion.speed(degrees, false, si).filter(|speed| SPEEDS.contains(speed)) else {
+                continue;
+            };
+            let ratio = motion.fit(degrees, false, si).ratio;
+            // A speed in another unit is not one of another time.
+            if ratio.is_some_and(|ratio| !(0.1..=5.0).contains(&ratio)) {
+                let sentence =
+                    format!("{name} has no unit with which the positions have the speed of the table");
+                let answers = self.readings_of_time(place);
+                self.ask(Question { sentence, answers });
+                return None;
+            }
+            if unit != "s" {
+                self.doubt(format!(
+                    "{name} is taken as {unit}: the speed over ground is then {speed:.1} m/s"
+                ));
+            }
+            return Some(part);
+        }
+        let times = self.grid.numbers(place);
+        let step =
+            median(times.windows(2).map(|two| two[1] - two[0]).filter(|step| *step > 0.0)).unwrap_or(0.0);
+        let (unit, part, _) = UNITS[if step >= 3e6 {
+            3
+        } else if step >= 3e3 {
+            2
+        } else {
+            usize::from(step >= 3.0)
+        }];
+        if unit != "s" {
+            self.doubt(format!("{name} is taken as {unit}: its usual step is {step}"));
+        }
+        Some(part)
+    }
+
+    /// What the numbers of a column would mean as times, a line of `[log]` for each unit that gives a log and a vehicle.
+    fn readings_of_time(&self, place: usize) -> Vec<String> {
+        let times = self.grid.numbers(place);
+        let steps = || times.windows(2).map(|two| two[1] - two[0]);
+        let [Some(first), Some(last)] = [times.first(), times.last()] else { return Vec::new() };
+        let forward: Vec<f64> = steps().filter(|step| *step > 0.0).collect();
+        let usual = median(forward.iter().copied()).unwrap_or(0.0);
+        let regular = forward.iter().filter(|step| (*step - usual).abs() < REGULAR * usual).count();
+        let is_time = 2 * regular >= forward.len() && forward.len() * FEWEST_STEPS >= times.len() - 1;
+        if steps().any(|step| step < 0.0) || last <= first || !is_time {
+            return Vec::new();
+        }
+        let interval = (last - first) / (times.len() - 1) as f64;
+        let motion = self.motion_over(Some((place, TimeFormat::Number)));
+        let answer = |(_, part, si): (&str, &str, f64)| {
+            let rate_hz = Some(1.0 / (interval * si)).filter(|rate| RATES.contains(rate))?;
+            let speed = motion.as_ref().and_then(|motion| motion.speed(&READINGS[0], false, si));
+            let speed = speed.filter(|speed| *speed > 0.0);
+            if speed.is_some_and(|speed| !SPEEDS.contains(&speed)) {
+                return None;
+            }
+            let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s over ground"));
+            Some(format!("time = {}  # {} Hz{speed}", self.column(place, part), rounded(rate_hz, 4)))
+        };
+        UNITS.into_iter().filter_map(answer).collect()
+    }
+
+    /// Asks for the time of a table in which no column is understood as one: a row is never a second.
+    pub(super) fn ask_for_time(&mut self) {
+        let is_other = |place: &usize| self.places.iter().any(|found| found.place == *place);
+        let mut answers = Vec::new();
+        let mut columns = 0;
+        for place in (0..self.grid.names.len()).filter(|place| !is_other(place)) {
+            let found = match self.time_format(place) {
+                Some(TimeFormat::Number) => self.readings_of_time(place),
+                Some(format) => {
+                    let word = TimeFormat::WORDS.iter().find(|(_, known)| *known == format);
+                    let (word, _) = word.unwrap_or(&TimeFormat::WORDS[0]);
+                    let first = self.grid.cells(place).next().map_or(String::new(), excerpt);
+                    let column = self.column(place, "");
+                    vec![format!("time = {column}\ntime_format = \"{word}\"  # begins at {first}")]
+                }
+                None => Vec::new(),
+            };
+            if !found.is_empty() && columns < MOST {
+                columns += 1;
+                answers.extend(found);
+            }
+        }
+        let motion = self.motion_over(None);
+        let rate_hz = motion.and_then(|motion| {
+            let [unit] = motion.speed_units[..] else { return None };
+            motion.fit(&READINGS[0], false, 1.0).ratio.map(|ratio| unit / ratio)
+        });
+        let rate = match rate_hz.filter(|rate| RATES.contains(rate)) {
+            Some(rate_hz) => format!("{:.1}  # by the speed of the table", rate_hz),
+            None => "RATE  # the rate of the rows in Hz, if no column has their times".to_owned(),
+        };
+        answers.push(format!("time_format = \"row\"\nrate_hz = {rate}"));
+        let sentence = "no column is understood as the time".to_owned();
+        self.remove("time_format");
+        self.ask(Question { sentence, answers });
+    }
+}
+
+/// The unit of times with which the positions agree with the speed of the table, alone.
+fn unit_that_fits(motion: &Motion) -> Option<(&'static str, &'static str)> {
+    let mut fits = Vec::new();
+    for reading in [&READINGS[0], &READINGS[READINGS.len() - 1]] {
+        if motion.first_place(reading, false).is_none() {
+            continue;
+        }
+        for (unit, part, si) in UNITS {
+            fits.extend(motion.misfit(&motion.fit(reading, false, si)).map(|misfit| ((unit, part), misfit)));
+        }
+    }
+    alone(fits)
+}
