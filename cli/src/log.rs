@@ -38,7 +38,7 @@ pub struct Order {
     /// Looks for the columns of a table of any kind, and writes them into this file for --columns
     ///
     /// Tables of many avionics, simulators and services are known by their columns (docs/your_log.md names them). Of another table,
-    /// quantities, units and times are guessed from names, lines of units and values. What is not sure is said, and what is unknown is asked,
+    /// quantities, units and times are guessed from names, lines of units and values. What is not sure is said. What is unknown is asked,
     /// with exit code 2.
     #[arg(long, value_name = "MAP.toml", conflicts_with_all = ["columns", "smooth"])]
     map: Option<PathBuf>,

@@ -102,10 +102,10 @@ impl LogColumn {
         text + " }"
     }
 
-    /// A cell in SI is this number times the cell, plus the second one.
-    pub(super) fn factor_and_offset(&self, quantity: usize) -> [f64; 2] {
+    /// A cell of this unit in SI is this number times the cell, plus the second one.
+    pub(super) fn factor_and_offset(&self, quantity: usize, unit: &str) -> [f64; 2] {
         let dimension = QUANTITIES[quantity].dimension;
         let si = |unit| unit_of(dimension, unit).map_or(1.0, |(_, si)| si);
-        [self.scale * si(self.unit), self.add * si("")]
+        [self.scale * si(unit), self.add * si("")]
     }
 }

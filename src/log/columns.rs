@@ -4,12 +4,12 @@ use core::ops::Range;
 
 use csv::StringRecord;
 
-use super::column::ColumnFrom;
-use super::guess::{Guess, guess, hemisphere_of};
+use super::column::{ColumnFrom, LogColumn};
+use super::guess::{Guess, guess, hemisphere_of, unit_in_name};
 use super::mapping::{LogMapping, TimeFormat};
 use super::quantity::{
     DDMM, FORCE, FORWARD, OF_SAMPLE, Q0, QUANTITIES, RATE, ROLL, SPEED, TEMPERATURE, VARIATION, VELOCITY,
-    in_degrees, name,
+    in_degrees, name, unit_of,
 };
 use super::{LogError, fault};
 use crate::base::text::{Fault, excerpt, listed, nearest};
@@ -148,8 +148,9 @@ fn mapped_column(
         );
         return Err(fault(0, 1, sentence));
     }
-    let [factor, offset] = mapped.factor_and_offset(quantity);
     let place = place_of(header, line, &mapped.from, key)?;
+    let unit = place.and_then(|place| unit_of_name(mapped, header.get(place)?, quantity));
+    let [factor, offset] = mapped.factor_and_offset(quantity, unit.unwrap_or(mapped.unit));
     let hemisphere = place_of(header, line, &mapped.hemisphere, &format!("{key}.hemisphere"))?;
     let (offset, name) = match &mapped.from {
         ColumnFrom::Name(name) => (offset, name.clone()),
@@ -158,6 +159,14 @@ fn mapped_column(
         ColumnFrom::OwnName => (offset, key.to_owned()),
     };
     Ok(Column { place, factor, offset, part: mapped.part, is_ddmm: mapped.unit == DDMM, hemisphere, name })
+}
+
+/// The unit that the name of a column states, if `[log]` states neither unit nor scale: another one than the quantity has anyway.
+fn unit_of_name(mapped: &LogColumn, name: &str, quantity: usize) -> Option<&'static str> {
+    let dimension = QUANTITIES[quantity].dimension;
+    let is_open = mapped.unit.is_empty() && mapped.scale.abs() == 1.0;
+    let unit = is_open.then(|| unit_in_name(name, dimension)).flatten()?;
+    unit_of(dimension, "").is_some_and(|(usual, _)| usual != unit).then_some(unit)
 }
 
 /// The place in a row of the column that `key` gives; `None`: it gives none.
@@ -224,6 +233,18 @@ pub fn unread(header: &StringRecord, line: u64, columns: &Columns, mapping: &Log
             || (VELOCITY..RATE).contains(&quantity) && has_velocity;
         (1..OF_SAMPLE).contains(&quantity) && !is_known
     };
+    let of_names = columns.iter().enumerate().filter_map(|(quantity, column)| {
+        let place = column.as_ref()?.place?;
+        let (mapped, name) = (&mapping.columns[quantity], header.get(place)?);
+        let is_mapped = mapped.from != ColumnFrom::OwnName;
+        let unit = is_mapped.then(|| unit_of_name(mapped, name, quantity)).flatten()?;
+        let key = QUANTITIES[quantity].key;
+        let sentence = format!(
+            "{} is read in {unit}, as its name says; log.{key}.unit = ... reads it in another unit",
+            excerpt(name)
+        );
+        Some(Fault { line: line as usize, column: place + 1, sentence, ..Fault::default() })
+    });
     let note = |(place, column): (usize, &str)| {
         let is_it = |of: Option<usize>| of == Some(place);
         let is_read = columns.iter().flatten().any(|column| is_it(column.place) || is_it(column.hemisphere));
@@ -238,7 +259,7 @@ pub fn unread(header: &StringRecord, line: u64, columns: &Columns, mapping: &Log
         let sentence = format!("{} is not read; is it {}{unit}{sign}?", excerpt(column), name(quantity));
         Some(Fault { line: line as usize, column: place + 1, sentence, ..Fault::default() })
     };
-    header.iter().enumerate().filter_map(note).collect()
+    of_names.chain(header.iter().enumerate().filter_map(note)).collect()
 }
 
 /// The name of a missing column, with the name of its form in degrees and the name that may have been meant.

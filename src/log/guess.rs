@@ -68,11 +68,15 @@ const NAMES: &[(&str, &[&str])] = &[
             "ele",
             "hgt",
             "geoaltitude",
+            "altgeom",
+            "enhancedaltitude",
             "altitudeabovesealevel",
             "ggalt",
             "h",
             "höhe",
             "hoehe",
+            "baroaltitude",
+            "altbaro",
         ],
     ),
     ("roll", &["roll", "rollwinkel", "phi", "bank", "rolldeg", "rollangle", "bankangle"]),
@@ -162,7 +166,7 @@ const HEMISPHERES: [(usize, &[&str]); 2] = [
 const AFTER: [&str; 3] = ["indicator", "hemisphere", "ind"];
 
 /// Words before a quantity that do not change it.
-const BEFORE: [&str; 15] = [
+const BEFORE: [&str; 16] = [
     "gps",
     "gnss",
     "ins",
@@ -173,6 +177,7 @@ const BEFORE: [&str; 15] = [
     "velocities",
     "orientation",
     "attitude",
+    "angle",
     "plane",
     "imu",
     "truth",
@@ -207,6 +212,18 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("metres", "m"),
     ("ft", "ft"),
     ("feet", "ft"),
+    ("mm", "mm"),
+    ("cm", "cm"),
+    ("km", "km"),
+    ("cms", "cm/s"),
+    ("cm s", "cm/s"),
+    ("mms", "mm/s"),
+    ("mm s", "mm/s"),
+    ("rad s", "rad/s"),
+    ("deg s", "deg/s"),
+    ("dps", "deg/s"),
+    ("m s2", "m/s2"),
+    ("g", "g"),
     ("mps", "m/s"),
     ("m s", "m/s"),
     ("m sec", "m/s"),
@@ -230,20 +247,32 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("degc", ""),
 ];
 
-/// What the column of a name has, if the name says it.
-pub fn guess(name: &str) -> Option<Guess> {
-    let words = words(name);
-    let mut words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let mut unit = "";
+/// The unit at the end of the words of a name, which are then without it; empty: there is none.
+fn take_unit(words: &mut Vec<&str>) -> &'static str {
     for length in [2, 1] {
         let Some(begin) = words.len().checked_sub(length).filter(|begin| *begin > 0) else { continue };
         let end = words[begin..].join(" ");
         if let Some((_, known)) = SPELLINGS.iter().find(|(spelling, _)| *spelling == end) {
-            unit = known;
             words.truncate(begin);
-            break;
+            return known;
         }
     }
+    ""
+}
+
+/// The unit of this dimension that a name states.
+pub fn unit_in_name(name: &str, dimension: Dimension) -> Option<&'static str> {
+    let words = words(name);
+    let unit = take_unit(&mut words.iter().map(String::as_str).collect());
+    let unit = if unit == "ms" && dimension == Dimension::Speed { "m/s" } else { unit };
+    unit_of(dimension, unit).filter(|_| !unit.is_empty()).map(|(unit, _)| unit)
+}
+
+/// What the column of a name has, if the name says it.
+pub fn guess(name: &str) -> Option<Guess> {
+    let words = words(name);
+    let mut words: Vec<&str> = words.iter().map(String::as_str).collect();
+    let unit = take_unit(&mut words);
     loop {
         let stem = words.concat();
         let is_one = |known: &&str| known.strip_prefix('-').unwrap_or(known) == stem;
@@ -286,19 +315,22 @@ pub fn unit(cell: &str) -> Option<&'static str> {
     of(words.len()).or_else(|| of(1))
 }
 
-/// The words of a name in lower case: they end at marks, and where a capital follows a small letter.
+/// The words of a name in lower case: they end at marks, where a capital follows a small letter, and before a capital with a small letter
+/// behind it.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
-    let mut was_small = false;
-    for letter in name.chars() {
-        let begins = letter.is_uppercase() && was_small;
+    let (mut before, mut letters) = (' ', name.chars().peekable());
+    while let Some(letter) = letters.next() {
+        let is_small_next = letters.peek().is_some_and(|next| next.is_lowercase());
+        let begins =
+            letter.is_uppercase() && (before.is_lowercase() || before.is_uppercase() && is_small_next);
         if (begins || !letter.is_alphanumeric()) && words.last().is_some_and(|word| !word.is_empty()) {
             words.push(String::new());
         }
         if let (true, Some(word)) = (letter.is_alphanumeric(), words.last_mut()) {
             word.extend(letter.to_lowercase());
         }
-        was_small = letter.is_lowercase();
+        before = letter;
     }
     words.retain(|word| !word.is_empty());
     words
@@ -327,6 +359,13 @@ mod tests {
             ("lat_rad", "latitude", "rad", 1.0),
             ("ref_pos_lat (deg)", "latitude", "deg", 1.0),
             ("ref_Yaw (deg)", "heading", "deg", 1.0),
+            ("TimeFromStart (s)", "time", "s", 1.0),
+            ("PosLat (rad)", "latitude", "rad", 1.0),
+            ("AngleRoll (rad)", "roll", "rad", 1.0),
+            ("GNSSVelNorth[cm/s]", "north", "cm/s", 1.0),
+            ("VelDown_mms", "up", "mm/s", -1.0),
+            ("INSAlt_mm", "height", "mm", 1.0),
+            ("Alt[ft]", "height", "ft", 1.0),
             // A unit that is none of the quantity is left out.
             ("heading_ft", "heading", "", 1.0),
         ] {

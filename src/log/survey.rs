@@ -1,5 +1,6 @@
 //! A look at a table: the `[log]` that reads it, of a known format or guessed from names, units and values.
 
+mod attitude;
 mod evidence;
 mod motion;
 mod position;
@@ -73,12 +74,16 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     let Some(grid) = Grid::of(&table) else { return nameless(&table) };
     let known = known(&grid.names);
     let (places, keys, doubts, questions) = Default::default();
-    let mut draft = Draft { grid: &grid, places, keys, doubts, questions };
+    let mut draft = Draft { grid: &grid, places, keys, doubts, questions, is_attitude_asked: false };
     match known {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
     }
     draft.position(known.is_some());
+    if known.is_none() {
+        draft.attitude();
+    }
+    draft.height();
     draft.only_one();
     draft.complete();
     let text = draft.layout().chain(draft.keys).map(|(key, value)| format!("{key} = {value}\n")).collect();
@@ -105,6 +110,7 @@ struct Draft<'g> {
     keys: Vec<(&'static str, String)>,
     doubts: Vec<String>,
     questions: Vec<Question>,
+    is_attitude_asked: bool,
 }
 
 impl Draft<'_> {
@@ -320,10 +326,6 @@ impl Draft<'_> {
             };
             self.doubt(format!("left out: {}; {why}", found.join(", ")));
         }
-        if self.value("height").is_none() {
-            self.set("height", "0");
-            self.doubt("there is no height: it is taken as 0");
-        }
         if self.value("time").is_none() && self.place("time").is_none() {
             self.ask_for_time();
         }
@@ -332,7 +334,8 @@ impl Draft<'_> {
                 self.ask_for_column(key);
             }
         }
-        if self.value("attitude").is_none() && !self.has_all(&ATTITUDE) {
+        let has_attitude = self.has_all(&ATTITUDE) || self.is_attitude_asked;
+        if self.value("attitude").is_none() && !has_attitude {
             self.set("attitude", "\"coordinated\"");
             self.doubt("no whole attitude is read: that of a coordinated flight without wind is taken");
         }

@@ -231,3 +231,132 @@ fn positions_that_are_none_on_the_earth_are_refused_at_their_cell() {
         "{faults:?}"
     );
 }
+
+/// The flight with an attitude, as roll, pitch and heading in degrees.
+fn attitude(row: &Row) -> [f64; 3] {
+    let is_turning = (20.0..40.0).contains(&row[0]);
+    [if is_turning { 12.0 } else { 0.1 }, 2.5, row[5]]
+}
+
+#[test]
+fn an_attitude_without_units_is_of_the_unit_in_which_the_heading_follows_the_track() {
+    let rows = flight(47.3, 8.4);
+    let text = |names: &str, of: fn([f64; 3]) -> [f64; 3], rows: &[Row]| {
+        table(&format!("t,lat,lon,alt,{names}"), rows, |_, row| {
+            let [roll, pitch, heading] = of(attitude(row));
+            let place = format!("{:.1},{:.8},{:.8},{:.3}", row[0], row[1], row[2], row[3]);
+            format!("{place},{roll:.6},{pitch:.6},{heading:.6}")
+        })
+    };
+    let radians = |angles: [f64; 3]| angles.map(f64::to_radians);
+    for (names, of) in [
+        ("roll,pitch,yaw", radians as fn([f64; 3]) -> [f64; 3]),
+        ("roll,pitch,yaw", |angles| angles),
+        ("AngleRoll (rad),AnglePitch (rad),AngleHeading (rad)", radians),
+        ("roll_rad,pitch_rad,heading_rad", radians),
+        ("Roll[deg],Pitch[deg],Heading[deg]", |angles| angles),
+    ] {
+        let (found, samples) = look(&text(names, of, &rows));
+        let samples = samples.unwrap_or_else(|error| panic!("{error:?} {found:?}"));
+        for (sample, row) in samples.iter().zip(&rows) {
+            let expected = attitude(row).map(f64::to_radians);
+            let found = [sample.euler.roll, sample.euler.pitch, sample.euler.heading];
+            let is_near = |axis: usize| (found[axis] - expected[axis]).abs() < 1e-5;
+            assert!((0..3).all(is_near), "{names}: {found:?}, not {expected:?}");
+        }
+    }
+    // A flight to the north has a small heading in degrees.
+    let mut north = rows.clone();
+    for (index, row) in north.iter_mut().enumerate() {
+        *row = [row[0], 47.0 + 7.2e-5 * index as f64, 8.4, row[3], 40.0, 3.0 + 0.01 * (index % 7) as f64];
+    }
+    let level = |angles: [f64; 3]| [0.1, angles[1], angles[2]];
+    let (found, samples) = look(&text("roll,pitch,yaw", level, &north));
+    assert!((samples.unwrap()[0].euler.heading.to_degrees() - 3.0).abs() < 1e-5, "{found:?}");
+    // Without motion nothing tells.
+    let mut rest = rows.clone();
+    rest.iter_mut().for_each(|row| *row = [row[0], 47.0, 8.4, row[3], 0.0, 3.0]);
+    assert_asks(&text("roll,pitch,yaw", radians, &rest), "are they radians?");
+    // Anticlockwise from the east, in either unit.
+    for of in [
+        (|[roll, pitch, heading]| [roll, -pitch, 90.0 - heading]) as fn([f64; 3]) -> [f64; 3],
+        |[roll, pitch, heading]| [roll, -pitch, 90.0 - heading].map(f64::to_radians),
+    ] {
+        let found = assert_asks(&text("roll,pitch,yaw", of, &rows), "from the east");
+        assert!(!found.text.contains("heading") && !found.text.contains("coordinated"), "{found:?}");
+        // One of the answers is right.
+        let answers = &found.questions[0].answers;
+        let right = answers.iter().filter(|answer| {
+            let keys: String =
+                answer.lines().map(|line| line.split("  #").next().unwrap().to_owned() + "\n").collect();
+            let scene = format!("[flight]\nfile = \"a.csv\"\n[log]\n{}{keys}", found.text);
+            let scene = Scene::parse(scene.as_bytes()).unwrap_or_else(|faults| panic!("{faults:?}"));
+            let log = FlightLog::parse_with(text("roll,pitch,yaw", of, &rows).as_bytes(), &scene.log);
+            let is_right = |(sample, row): (&FlightSample, &Row)| {
+                let expected = attitude(row).map(f64::to_radians);
+                let heading = (sample.euler.heading - expected[2]).rem_euclid(core::f64::consts::TAU);
+                (sample.euler.pitch - expected[1]).abs() < 1e-5
+                    && heading.min(core::f64::consts::TAU - heading) < 1e-5
+            };
+            log.is_ok_and(|log| log.samples().iter().zip(&rows).all(is_right))
+        });
+        assert_eq!(right.count(), 1, "{answers:?}");
+    }
+}
+
+#[test]
+fn a_height_is_read_in_its_unit_or_asked_about() {
+    let rows = flight(47.3, 8.4);
+    let text = |name: &str, size: f64| {
+        table(&format!("t,lat,lon,{name}"), &rows, |_, row| {
+            format!("{:.1},{:.8},{:.8},{:.3}", row[0], row[1], row[2], row[3] / size)
+        })
+    };
+    for (name, size) in [
+        ("alt (m)", 1.0),
+        ("Alt[ft]", 0.3048),
+        ("alt_mm", 1e-3),
+        ("PosAlt_cm", 1e-2),
+        ("height (km)", 1e3),
+        ("enhanced_altitude", 1.0),
+        ("alt_geom", 1.0),
+    ] {
+        let (found, samples) = look(&text(name, size));
+        let (distance, _) = errors(&samples.unwrap(), &rows);
+        assert!(distance < 0.6, "{name}: {distance} m: {found:?}");
+    }
+    assert_asks(&text("alt", 1e-3), "height = { col = \"alt\", unit = \"mm\" }  # begins at 500.0 m");
+    assert_asks(&text("My altitude above all", 1.0), "height = \"My altitude above all\"");
+    assert_asks(&text("x", 1.0), "height = 0  # all the way");
+}
+
+/// A `[log]` written by hand names columns whose names state units.
+#[test]
+fn a_unit_in_the_name_of_a_column_counts_where_the_log_states_none() {
+    let read = |height: &str, name: &str| {
+        let text = format!(
+            "[flight]\nfile = \"a.csv\"\n[log]\ntime = \"t_ms\"\nlatitude = \"PosLat (rad)\"\nlongitude = {{ col = 3 }}\nheight = {height}\nroll = \"Roll (rad)\"\npitch = 0\nheading = 0\n"
+        );
+        let scene = Scene::parse(text.as_bytes()).unwrap();
+        let table = format!(
+            "t_ms,PosLat (rad),Lon [rad],{name},Roll (rad)\n0,0.8,0.2,1000,0.1\n200,0.8,0.2,1000,0.1\n"
+        );
+        let log = FlightLog::parse_with(table.as_bytes(), &scene.log).unwrap();
+        let sample = log.samples()[1];
+        assert_eq!(
+            [sample.time_s, sample.place.latitude_rad, sample.place.longitude_rad, sample.euler.roll],
+            [0.2, 0.8, 0.2, 0.1]
+        );
+        let notes: Vec<String> = log.notes().iter().map(|note| note.sentence.clone()).collect();
+        (
+            sample.place.height_m,
+            notes.iter().any(|note| note.contains("is read in") && note.starts_with(name)),
+        )
+    };
+    assert_eq!(read("\"Alt (ft)\"", "Alt (ft)"), (304.8, true));
+    assert_eq!(read("{ col = \"Alt[cm]\", sign = -1 }", "Alt[cm]"), (-10.0, true));
+    assert_eq!(read("\"Alt (m)\"", "Alt (m)"), (1000.0, false));
+    // What is stated counts, and a conversion by a scale is not done twice.
+    assert_eq!(read("{ col = \"Alt (ft)\", unit = \"m\" }", "Alt (ft)"), (1000.0, false));
+    assert_eq!(read("{ col = \"Alt (ft)\", scale = 0.5 }", "Alt (ft)"), (500.0, false));
+}

@@ -50,6 +50,9 @@ impl Draft<'_> {
             _ => vec![1.0],
         };
         let speed_si = unit.map_or(1.0, si);
+        let unit = self.found("track").map_or("", |track| track.unit);
+        let unit = if unit.is_empty() && self.is_small("track") { "rad" } else { unit };
+        let (_, track_si) = unit_of(Dimension::Angle, unit)?;
         let letters = [("latitude", LATITUDE), ("longitude", LONGITUDE)]
             .map(|(key, quantity)| self.place(key).and_then(|place| self.hemisphere(quantity, place)));
         let row = |(index, cells): (usize, &StringRecord)| {
@@ -65,13 +68,10 @@ impl Draft<'_> {
                     let [east, north] = ["east", "north"].map(value);
                     (hypot(east, north), atan2(east, north))
                 }
-                None => {
-                    let unit = self.found("track").map_or("", |track| track.unit);
-                    let (_, si) = unit_of(Dimension::Angle, unit)?;
-                    (value("speed"), value("track") * si)
-                }
+                None => (value("speed"), value("track") * track_si),
             };
-            Some(Row { time, latitude, longitude, speed: speed * speed_si, course })
+            let heading = value("heading");
+            Some(Row { time, latitude, longitude, speed: speed * speed_si, course, heading })
         };
         let rows: Vec<Row> = self.grid.rows.iter().enumerate().filter_map(row).collect();
         (rows.len() > 1).then(|| Motion::new(rows, time.is_some(), speed_units))

@@ -62,6 +62,8 @@ pub struct Row {
     pub speed: f64,
     /// Course over ground [rad], or not a number.
     pub course: f64,
+    /// As the table has it, or not a number.
+    pub heading: f64,
 }
 
 /// The rows of a table in motion.
@@ -81,6 +83,7 @@ struct Step {
     /// Way that the speed says, in the units of the table.
     said: f64,
     course: f64,
+    heading: f64,
     time: f64,
 }
 
@@ -135,6 +138,7 @@ impl Motion {
                 track: atan2(east, north),
                 said: said.sum(),
                 course: rows[rows.len() / 2].course,
+                heading: rows[rows.len() / 2].heading,
                 time: to.time - from.time,
             })
         };
@@ -165,10 +169,21 @@ impl Motion {
         let count = with_speed.len().div_ceil(size).max(1) as f64;
         let moving = parts.filter(|(_, said)| *said > MOVING * all / count);
         let ratio = median(moving.map(|(way_m, said)| way_m / (said * time_si)));
-        let mean_m = steps.iter().map(|step| step.way_m).sum::<f64>() / steps.len().max(1) as f64;
-        let turns = steps.iter().filter(|step| step.way_m > MOVING * mean_m && step.course.is_finite());
-        let course = median(turns.map(|step| wrap_angle(step.track - step.course).abs()));
+        let course = median_turn(&steps, |step| step.course);
         Fit { ratio, course_deg: course.map(|course| course / DEG) }
+    }
+
+    /// The median angle between the track and the heading that `heading` makes of the numbers of the table [rad]; `None`: there is none, or
+    /// no motion.
+    pub fn turn(&self, reading: &Reading, heading: impl Fn(f64) -> f64) -> Option<f64> {
+        median_turn(&self.steps(reading, false), |step| heading(step.heading))
+    }
+
+    /// Whether the track is a quarter of a radian or more off its first direction for half of the time.
+    pub fn turns(&self, reading: &Reading) -> bool {
+        let steps = self.steps(reading, false);
+        let first = steps.first().map_or(0.0, |step| step.track);
+        median_turn(&steps, |_| first).is_some_and(|turn| turn > 0.25)
     }
 
     /// How badly a reading fits; `None`: it contradicts the speed or the course, or there is no speed.
@@ -178,6 +193,14 @@ impl Motion {
         let course_deg = fit.course_deg.unwrap_or(0.0);
         (speed < SPEED_FITS && course_deg < COURSE_FITS_DEG).then_some(speed + course_deg * DEG)
     }
+}
+
+/// The median angle between the track and another direction, of steps in motion \[rad\].
+fn median_turn(steps: &[Step], of: impl Fn(&Step) -> f64) -> Option<f64> {
+    let mean_m = steps.iter().map(|step| step.way_m).sum::<f64>() / steps.len().max(1) as f64;
+    let moving = steps.iter().filter(|step| step.way_m > MOVING * mean_m);
+    let turns = moving.map(|step| (step.track, of(step))).filter(|(_, other)| other.is_finite());
+    median(turns.map(|(track, other)| wrap_angle(track - other).abs()))
 }
 
 /// The candidate that fits alone.

@@ -12,7 +12,7 @@ impl Draft<'_> {
         let [Some(latitude), Some(longitude)] = ["latitude", "longitude"].map(|key| self.place(key)) else {
             return;
         };
-        let is_rad = self.value("latitude").is_some_and(|value| value.contains("\"rad\""));
+        let is_rad = self.is_position_in_radians();
         let Some(motion) = self.motion().filter(|_| !is_rad) else { return };
         let time_si = self.time_si();
         let degrees = &READINGS[0];

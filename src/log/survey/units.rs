@@ -27,22 +27,8 @@ impl Draft<'_> {
                 }
                 ("rad", format!("{name} is taken as radians: no latitude is above {QUARTER:.2}"))
             }
-            Dimension::Angle if key != "variation" => {
-                let angles: Vec<f64> = ["roll", "pitch", "heading", "track"]
-                    .into_iter()
-                    .filter_map(|key| self.numbers(key))
-                    .flatten()
-                    .collect();
-                let has_fractions = angles.iter().any(|value| value.fract() != 0.0);
-                if !has_fractions || largest(&angles) > TURN {
-                    return "";
-                }
-                // A heading above 2 and never above a turn in radians.
-                let of_position = self.value("latitude").is_some_and(|value| value.contains("\"rad\""));
-                let is_radian =
-                    of_position || self.numbers("heading").is_some_and(|values| largest(&values) > 2.0);
-                let (unit, taken) = if is_radian { ("rad", "radians") } else { ("", "degrees") };
-                (unit, format!("{name} is taken as {taken}: no angle of the attitude is above {TURN:.2}"))
+            Dimension::Angle if key == "track" && self.is_small(key) => {
+                ("rad", format!("{name} is taken as radians: no value is above {TURN:.2}"))
             }
             Dimension::Length if key == "height" && self.has_steps_of_feet() => (
                 "ft",
@@ -56,6 +42,12 @@ impl Draft<'_> {
         };
         self.doubt(doubt);
         unit
+    }
+
+    /// Whether the angles of a quantity are those of radians: none is above a turn, and some have fractions.
+    pub(super) fn is_small(&self, key: &str) -> bool {
+        let angles = self.numbers(key).unwrap_or_default();
+        largest(&angles) <= TURN && angles.iter().any(|angle| angle.fract() != 0.0)
     }
 
     /// Whether the heights have the steps of a transponder.

@@ -1,0 +1,144 @@
+//! Attitudes whose unit or whose sense nothing states, and heights that are none.
+
+use super::motion::READINGS;
+use super::{ATTITUDE, Draft, Question, largest};
+use crate::base::text::excerpt;
+use crate::base::units::DEG;
+
+/// Largest angle between heading and track of a reading that fits \[rad\]: wind, and a heading that may be magnetic.
+const FITS: f64 = 25.0 * DEG;
+
+/// A reading fits better than another one if its angle is smaller by this factor.
+const BETTER: f64 = 3.0;
+
+/// A quarter of a turn, and the largest height of a flight \[m\].
+const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
+const HIGHEST_M: f64 = 1e5;
+
+impl Draft<'_> {
+    /// The unit of an attitude that states none and has no angle above a turn in radians: the one in which the heading follows the track. A
+    /// heading that follows the track when it counts from the east is asked about, since the pitch may have another sign then too.
+    pub(super) fn attitude(&mut self) {
+        if !self.has_all(&ATTITUDE) {
+            return;
+        }
+        let is_stated = |key: &&str| self.found(key).is_some_and(|found| !found.unit.is_empty());
+        let is_open = !ATTITUDE.iter().any(is_stated);
+        let angles: Vec<f64> = ATTITUDE.iter().filter_map(|key| self.numbers(key)).flatten().collect();
+        let is_small = is_open
+            && ATTITUDE.iter().all(|key| largest(&self.numbers(key).unwrap_or_default()) <= 4.0 * QUARTER)
+            && angles.iter().any(|angle| angle.fract() != 0.0);
+        let si = |unit: &str| if unit == "rad" { 1.0 } else { DEG };
+        let stated = self.found("heading").map_or("", |found| found.unit);
+        let units: &[&str] = if is_small { &["", "rad"] } else { &[stated] };
+        let reading = &READINGS[if self.is_position_in_radians() { READINGS.len() - 1 } else { 0 }];
+        let is_place = |motion: &super::motion::Motion| motion.first_place(reading, false).is_some();
+        let motion = self.motion().filter(is_place);
+        let turn = |unit: &str, of_heading: fn(f64) -> f64| {
+            let turn = motion.as_ref()?.turn(reading, |heading| of_heading(heading * si(unit)));
+            turn.filter(|turn| turn.is_finite())
+        };
+        let compass: Vec<Option<f64>> = units.iter().map(|unit| turn(unit, |heading| heading)).collect();
+        let east: Vec<Option<f64>> =
+            units.iter().map(|unit| turn(unit, |heading| QUARTER - heading)).collect();
+        let least = |turns: &[Option<f64>]| turns.iter().flatten().copied().fold(f64::INFINITY, f64::min);
+        let [of_compass, of_east] = [least(&compass), least(&east)];
+        let is_turning = motion.as_ref().is_some_and(|motion| motion.turns(reading));
+        let is_from_east = of_compass > FITS && BETTER * of_east < of_compass && of_east < FITS && is_turning;
+        if is_from_east {
+            return self.ask_for_attitude(
+                units,
+                "the heading follows the track if it counts from the east, anticlockwise",
+            );
+        }
+        if !is_small {
+            return;
+        }
+        let unit = match compass[..] {
+            [Some(degrees), Some(radians)] if BETTER * radians < degrees && radians < FITS => "rad",
+            [Some(degrees), Some(radians)] if BETTER * degrees < radians && degrees < FITS => "deg",
+            [None, None] if self.is_position_in_radians() => "rad",
+            _ => {
+                return self
+                    .ask_for_attitude(units, "no angle of the attitude is above 6.28: are they radians?");
+            }
+        };
+        for key in ATTITUDE {
+            let Some(place) = self.place(key) else { continue };
+            let part = if unit == "rad" { ", unit = \"rad\"" } else { "" };
+            self.replace(key, self.column(place, part));
+            let name = excerpt(&self.grid.names[place]);
+            let words = if unit == "rad" { "radians" } else { "degrees" };
+            self.doubt(format!("{name} is taken as {words}: no angle of the attitude is above 6.28, and the heading follows the track"));
+        }
+    }
+
+    pub(super) fn is_position_in_radians(&self) -> bool {
+        self.value("latitude").is_some_and(|value| value.contains("\"rad\""))
+    }
+
+    fn ask_for_attitude(&mut self, units: &[&str], sentence: &str) {
+        let [Some(roll), Some(pitch), Some(heading)] = ATTITUDE.map(|key| self.place(key)) else { return };
+        let mut answers = Vec::new();
+        for unit in units.iter().rev() {
+            let part = if unit.is_empty() { String::new() } else { format!(", unit = \"{unit}\"") };
+            let roll = self.column(roll, &part);
+            for (pitch_part, heading_part, words) in [
+                ("", "", "clockwise from north"),
+                ("", ", sign = -1, add = 90", "anticlockwise from east"),
+                (
+                    ", sign = -1",
+                    ", sign = -1, add = 90",
+                    "anticlockwise from east; the pitch is positive nose down",
+                ),
+            ] {
+                let pitch = self.column(pitch, &format!("{part}{pitch_part}"));
+                let heading = self.column(heading, &format!("{part}{heading_part}"));
+                let unit = if *unit == "rad" { "radians" } else { "degrees" };
+                answers
+                    .push(format!("roll = {roll}\npitch = {pitch}\nheading = {heading}  # {unit}, {words}"));
+            }
+        }
+        for key in ATTITUDE {
+            self.remove(key);
+        }
+        self.is_attitude_asked = true;
+        self.ask(Question { sentence: sentence.to_owned(), answers });
+    }
+
+    /// Asks for a height that the table has not, or that is none of a flight in metres.
+    pub(super) fn height(&mut self) {
+        let Some(place) = self.place("height").filter(|_| self.value("height").is_some()) else {
+            let read: Vec<usize> = self.places.iter().map(|found| found.place).collect();
+            let is_like = |name: &str| {
+                let name = name.to_lowercase();
+                ["alt", "height", "elev", "hgt", "höhe", "hoehe"].iter().any(|word| name.contains(word))
+            };
+            let names = self.grid.names.iter().enumerate();
+            let like = names.filter(|(place, name)| is_like(name) && !read.contains(place));
+            let mut answers: Vec<String> =
+                like.take(4).map(|(place, _)| format!("height = {}", self.column(place, ""))).collect();
+            answers.push("height = 0  # all the way".to_owned());
+            return self
+                .ask(Question { sentence: "no column is understood as the height".to_owned(), answers });
+        };
+        let is_stated = self.found("height").is_some_and(|found| !found.unit.is_empty());
+        let numbers = self.numbers("height").unwrap_or_default();
+        if is_stated || largest(&numbers) <= HIGHEST_M {
+            return;
+        }
+        let first = numbers[0];
+        let answer = |(unit, size): (&str, f64)| {
+            let is_high = largest(&numbers) * size > HIGHEST_M;
+            let column = self.column(place, &format!(", unit = \"{unit}\""));
+            (!is_high).then(|| format!("height = {column}  # begins at {:.1} m", first * size))
+        };
+        let mut answers: Vec<String> =
+            [("mm", 1e-3), ("cm", 1e-2), ("ft", 0.3048)].into_iter().filter_map(answer).collect();
+        answers.push(format!("height = {}  # an orbit", self.column(place, ", unit = \"m\"")));
+        let name = excerpt(&self.grid.names[place]);
+        self.remove("height");
+        self.doubts.retain(|doubt| !doubt.starts_with(&format!("{name} is taken as ")));
+        self.ask(Question { sentence: format!("{name} is above 100 km in m"), answers });
+    }
+}
