@@ -109,6 +109,16 @@ fn off_thermal(path: &[Point]) -> [f64; 2] {
     largest
 }
 
+/// The point of a path at a time [s].
+fn at(path: &[Point], time_s: f64) -> Point {
+    *path.iter().min_by(|a, b| (a[0] - time_s).abs().total_cmp(&(b[0] - time_s).abs())).unwrap()
+}
+
+/// Whether a path begins at `start_s` [s] or, as it needs rows on both sides, up to 3 s later.
+fn begins_at(path: &[Point], start_s: f64) -> bool {
+    (start_s..=start_s + 3.0).contains(&path[0][0])
+}
+
 /// A glider in a thermal: its smoothed path stays within the resolution of IGC, 0.001 minutes or 1.86 m and a metre of height.
 #[test]
 fn a_thermal_stays_within_the_resolution() {
@@ -120,7 +130,7 @@ fn a_thermal_stays_within_the_resolution() {
         let [horizontal, vertical] = off_thermal(&path);
         println!("{file}: {horizontal:.3} m, {vertical:.3} m\n{errors}");
         assert!(
-            path.len() == 12_001 && horizontal < 1.86 && vertical < 1.0,
+            begins_at(&path, points[0][0]) && horizontal < 1.86 && vertical < 1.0,
             "{file}: {horizontal} {vertical}"
         );
         for door in DOORS {
@@ -175,7 +185,7 @@ fn an_igc_record_is_read() {
     // No word about an attitude that the record does not have.
     assert!(!said.contains("roll") && !said.contains("heading") && !said.contains("nose"), "{said}");
     let (_, path) = smoothed(&folder, "flight.igc", &[]);
-    assert!(path[0][0] == 86_285.0 && path[path.len() - 1][0] == 86_520.0, "{:?}", path[0]);
+    assert!(begins_at(&path, 86_285.0) && path[path.len() - 1][0] == 86_520.0, "{:?}", path[0]);
     let [_, vertical] = off_thermal(&path);
     assert!(vertical < 1.0, "{vertical}");
 
@@ -229,8 +239,8 @@ fn each_hemisphere_has_its_sign() {
             .collect();
         std::fs::write(folder.join("north.igc"), igc(&points)).unwrap();
         let (_, path) = smoothed(&folder, "north.igc", &[]);
-        for k in [0, 30, 59] {
-            let [_, found_latitude, found_longitude, _] = path[k * 50];
+        for k in [3, 30, 59] {
+            let [_, found_latitude, found_longitude, _] = at(&path, points[k][0]);
             // Numbers of the format, on a straight line: smoothing keeps them.
             assert!((found_latitude - points[k][1]).abs() < 1e-2 * step, "{k}: {found_latitude}");
             assert!((found_longitude - longitude).abs() < 1e-2 * step, "{k}: {found_longitude}");
@@ -252,7 +262,7 @@ fn an_igc_record_may_have_further_digits() {
     let said = done(&folder, &["log", "fine.igc"]);
     assert!(said.contains("fine.igc: 120 rows over 59.5 s, 2 Hz"), "{said}");
     let (_, path) = smoothed(&folder, "fine.igc", &[]);
-    let [time, latitude, longitude, _] = path[1500];
+    let [time, latitude, longitude, _] = at(&path, 36_030.0);
     assert_eq!(time, 36_030.0);
     assert!((latitude - 48.5 - 300.25 / 60_000.0).abs() < 1e-9, "{latitude}");
     assert!((longitude + 11.5 + 0.7 / 60_000.0).abs() < 1e-9, "{longitude}");
@@ -298,7 +308,7 @@ fn a_gpx_track_is_read() {
             "note: 1 time stamp: not later than the one before, first at 86379 s (these rows are left out)\n",
         ],
     );
-    assert_eq!(smoothed(&folder, "flight.gpx", &[]).1[0][0], 86_280.0);
+    assert!(begins_at(&smoothed(&folder, "flight.gpx", &[]).1, 86_280.0));
     // An offset from UTC, and a gap.
     let late = "</trkseg><trkseg><trkpt lat=\"-33.5\" lon=\"-70.6\"><ele>1500</ele><time>2026-07-26T02:03:00+02:00</time></trkpt>";
     look(

@@ -178,8 +178,8 @@ fn a_row_that_a_simulator_refuses_is_unusable() {
     let said = done(&folder, &["log", "off.csv"]);
     assert!(said.contains("off.csv:202: unusable: ") && said.contains(words), "{said}");
     assert!(!said.contains("nothing is doubtful"), "{said}");
-    let errors = rejected(&folder, &["log", "off.csv", "--strict"]);
-    assert!(errors.ends_with("off.csv: the log is refused (--strict)\n"), "{errors}");
+    let (code, _, errors) = run(&folder, &["log", "off.csv", "--strict"]);
+    assert!(code == 2 && errors == "off.csv: the log is refused (--strict)\n", "{errors}");
 }
 
 /// What flies all the same says so on standard error, in the summary, and in the pages above the curves.
