@@ -235,7 +235,7 @@ typedef enum sins_finding_kind {
     SINS_FINDING_HEADING_OFF_TRACK = 17,
     /** An angle that sweeps through a whole turn backwards: it was interpolated through its wrap; figure: the largest false rate [rad/s]. */
     SINS_FINDING_ANGLE_THROUGH_WRAP = 18,
-    /** Roll with the wrong sign; figure: its slope on the bank that the turns need [1]. */
+    /** Roll with the wrong sign, or in radians; figure: its slope on the bank that the turns need [1]. */
     SINS_FINDING_ROLL_SIGN = 19,
     /** Roll that the turns do not explain; figure: its slope on the bank that the turns need [1]. */
     SINS_FINDING_ROLL_UNEXPLAINED = 20,
@@ -245,7 +245,7 @@ typedef enum sins_finding_kind {
     SINS_FINDING_ATTACK_NEGATIVE = 22,
     /** Height in feet; figure: slope of pitch on the angle of the path [1]. */
     SINS_FINDING_HEIGHT_UNIT = 23,
-    /** Attitude that stays the same to the last bit while the track turns; figure: the largest turn of the track in such a stretch [rad]. */
+    /** Attitude, or heading, that stays the same to the last bit while the track turns; figure: the largest turn of the track then [rad]. */
     SINS_FINDING_ATTITUDE_HELD = 24,
     /** Attitude that follows the turns late; figure: the delay, negative if it is early [s]. */
     SINS_FINDING_ATTITUDE_LATE = 25,

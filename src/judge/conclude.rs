@@ -27,6 +27,7 @@ const NOISE_ERROR_M: f64 = 10.0;
 
 /// Drift of the attitude about an axis: each row adds this share of the product of the white noises about the two others [1]. Between rows
 /// the rotation vector is a cubic through both attitudes and the rates of their stencils; two subsamples a row miss this of its coning.
+/// Evidence: INSs with ideal sensors at 10 to 50 Hz with 0.25 to 1 deg of noise err by 0.76 to 0.93 of it, rms of 8 runs each.
 const CONING: f64 = 0.1285;
 
 /// Largest interval at which noise of an attitude is told from its motion [s], and ratio of its differences above which it is: those of

@@ -63,7 +63,7 @@ pub enum Kind {
     HeadingOffTrack = 17,
     /// An angle that sweeps through a whole turn backwards: it was interpolated through its wrap; figure: the largest false rate [rad/s].
     AngleThroughWrap = 18,
-    /// Roll with the wrong sign; figure: its slope on the bank that the turns need [1].
+    /// Roll with the wrong sign, or in radians; figure: its slope on the bank that the turns need [1].
     RollSign = 19,
     /// Roll that the turns do not explain; figure: its slope on the bank that the turns need [1].
     RollUnexplained = 20,
@@ -73,7 +73,7 @@ pub enum Kind {
     AttackNegative = 22,
     /// Height in feet; figure: slope of pitch on the angle of the path [1].
     HeightUnit = 23,
-    /// Attitude that stays the same to the last bit while the track turns; figure: the largest turn of the track in such a stretch [rad].
+    /// Attitude, or heading, that stays the same to the last bit while the track turns; figure: the largest turn of the track then [rad].
     AttitudeHeld = 24,
     /// Attitude that follows the turns late; figure: the delay, negative if it is early [s].
     AttitudeLate = 25,
