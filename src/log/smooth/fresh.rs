@@ -75,10 +75,10 @@ impl Quantity<'_> {
                 continue;
             }
             let mut last_s = times_s[run.first];
-            for k in run.first + 1..run.moves_off {
-                if times_s[k] - last_s > 0.9 * source_s {
+            for (k, &time_s) in times_s.iter().enumerate().take(run.moves_off).skip(run.first + 1) {
+                if time_s - last_s > 0.9 * source_s {
                     list.push(k);
-                    last_s = times_s[k];
+                    last_s = time_s;
                 }
             }
         }
