@@ -155,6 +155,10 @@ const NAMES: &[(&str, &[&str])] = &[
         &["climb", "vspd", "verticalspeed", "verticalrate", "vertrate", "climbrate", "vs", "rateofclimb"],
     ),
     ("variation", &["variation", "magvar", "magneticvariation", "declination"]),
+    ("q0", &["q0", "qw", "quatw", "quaternionw"]),
+    ("q1", &["q1", "qx", "quatx", "quaternionx"]),
+    ("q2", &["q2", "qy", "quaty", "quaterniony"]),
+    ("q3", &["q3", "qz", "quatz", "quaternionz"]),
     ("temperature", &["temperature", "temp", "oat", "imutemp"]),
 ];
 

@@ -4,6 +4,7 @@ use csv::StringRecord;
 
 use super::column::{ColumnFrom, LogColumn};
 use crate::base::text::{number_text, text_in_quotes};
+use recorders::RECORDERS;
 
 /// A key of `[log]` and its value.
 pub struct Key {
@@ -92,7 +93,10 @@ pub struct Known {
 
 /// The known format whose columns are all there.
 pub fn known(names: &StringRecord) -> Option<&'static Known> {
-    KNOWN.iter().find(|known| known.columns.iter().all(|column| names.iter().any(|name| name == *column)))
+    KNOWN
+        .iter()
+        .chain(&RECORDERS)
+        .find(|known| known.columns.iter().all(|column| names.iter().any(|name| name == *column)))
 }
 
 /// The formats. Of two that fit, the first is taken.
@@ -366,5 +370,6 @@ const KNOWN: [Known; 16] = [
     },
 ];
 
+mod recorders;
 #[cfg(test)]
 mod tests;

@@ -119,6 +119,41 @@ pub fn nameless(table: &str) -> Option<Survey> {
     })
 }
 
+/// The `[log]` of a solution of RTKLIB: its names stand in a comment, and its times in two fields under one name.
+pub fn rtklib(table: &str) -> Option<Survey> {
+    const DEGREES: [&str; 3] = ["latitude(deg)", "longitude(deg)", "height(m)"];
+    let mut lines = table.lines().take(ROWS);
+    let names = lines.find(|line| line.starts_with('%') && DEGREES.iter().all(|name| line.contains(name)))?;
+    let names: Vec<&str> = names.trim_start_matches('%').split_whitespace().collect();
+    let [_, latitude, longitude, height, ..] = names[..] else { return None };
+    if [latitude, longitude, height] != DEGREES {
+        return None;
+    }
+    let row = lines.find(|line| !line.trim().is_empty() && !line.starts_with('%'))?;
+    let has_two_fields = row.split_whitespace().count() == names.len() + 1;
+    if !has_two_fields {
+        return None;
+    }
+    // A date and a time of the day, or a week and its second.
+    let format = if row.trim_start().split_whitespace().next()?.contains('/') {
+        "time_format = \"hms\"\n"
+    } else {
+        ""
+    };
+    let mut text = format!(
+        "separator = \"blanks\"\ncomment = \"%\"\nheader = 0\ntime = {{ col = 2 }}\n{format}latitude = {{ col = 3 }}\nlongitude = {{ col = 4 }}\nheight = {{ col = 5 }}\n"
+    );
+    let velocity =
+        ["vn(m/s)", "ve(m/s)", "vu(m/s)"].map(|name| names.iter().position(|other| *other == name));
+    if let [Some(north), Some(east), Some(up)] = velocity {
+        let keys = [("north", north), ("east", east), ("up", up)];
+        text.extend(keys.map(|(key, place)| format!("{key} = {{ col = {} }}\n", place + 2)));
+    }
+    text += "smooth = \"auto\"\nattitude = \"coordinated\"\n";
+    let doubt = "it has no attitude, so that of a coordinated flight is taken".to_owned();
+    Some(Survey { format: Some("RTKLIB solution"), text, doubts: vec![doubt], questions: Vec::new() })
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::survey::tests::read;
@@ -167,6 +202,27 @@ mod tests {
         let (_, table) = SAMPLES[0];
         for (from, to) in [("48.000045", "98.000045"), ("456300.100", "456300.000"), ("5.0    2.0", "2.0")] {
             assert!(super::nameless(&table.replacen(from, to, 1)).is_none(), "{to}");
+        }
+    }
+
+    #[test]
+    fn a_solution_of_rtklib_has_its_names_in_a_comment() {
+        let names = "% program   : made up\n%  GPST  latitude(deg) longitude(deg)  height(m)   Q  ns";
+        for (more, times, cells) in [
+            ("", ["2024/05/01 23:59:59.800", "2024/05/02 00:00:00.000"], ""),
+            ("  vn(m/s) ve(m/s) vu(m/s)", ["2312 345599.800", "2312 345600.000"], " 50 0 1"),
+        ] {
+            let [first, second] = times;
+            let table = format!(
+                "{names}{more}\n{first}  48.0 11.0 300.0 1 12{cells}\n{second}  48.00009 11.0 300.2 1 12{cells}\n"
+            );
+            let (found, log) = read(&table);
+            assert_eq!(found.format, Some("RTKLIB solution"));
+            let sample = log.samples()[1];
+            assert!((log.duration_s() - 0.2).abs() < 1e-6, "{found:?}");
+            assert!((sample.place.latitude_rad.to_degrees() - 48.00009).abs() < 1e-9, "{sample:?}");
+            assert_eq!(sample.place.height_m, 300.2);
+            assert_eq!(sample.v_n.map(Into::into), (!cells.is_empty()).then_some([0.0, 50.0, 1.0]));
         }
     }
 }

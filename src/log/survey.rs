@@ -4,6 +4,7 @@ mod attitude;
 mod evidence;
 mod motion;
 mod position;
+mod quaternion;
 mod times;
 mod units;
 
@@ -11,7 +12,7 @@ use super::grid::Grid;
 use super::guess::{Guess, guess, hemisphere_of};
 use super::hemisphere::{sides, sign_of};
 use super::known::{Key, Known, Value, known};
-use super::nameless::nameless;
+use super::nameless::{nameless, rtklib};
 use super::quantity::{Dimension, QUANTITIES, unit_of};
 use super::text::decoded;
 use super::{Clock, LogMapping, Separator, TimeFormat};
@@ -67,10 +68,14 @@ const VEHICLES: [&str; 15] = [
 /// The quantities of each form of the velocity, and those of the attitude: all of them or none.
 const VELOCITIES: [[&str; 3]; 2] = [["east", "north", "up"], ["speed", "track", "climb"]];
 const ATTITUDE: [&str; 3] = ["roll", "pitch", "heading"];
+const QUATERNION: [&str; 4] = ["q0", "q1", "q2", "q3"];
 
 /// The `[log]` of a table; `None`: no line at its beginning has names of quantities, and its numbers are of no known format.
 pub fn survey(table: &[u8]) -> Option<Survey> {
     let table = decoded(table).ok()?;
+    if let Some(found) = rtklib(&table) {
+        return Some(found);
+    }
     let Some(grid) = Grid::of(&table) else { return nameless(&table) };
     let known = known(&grid.names);
     let (places, keys, doubts, questions) = Default::default();
@@ -82,6 +87,7 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     draft.position(known.is_some());
     if known.is_none() {
         draft.attitude();
+        draft.quaternion();
     }
     draft.height();
     draft.only_one();
@@ -334,7 +340,7 @@ impl Draft<'_> {
                 self.ask_for_column(key);
             }
         }
-        let has_attitude = self.has_all(&ATTITUDE) || self.is_attitude_asked;
+        let has_attitude = self.has_all(&ATTITUDE) || self.has_all(&QUATERNION) || self.is_attitude_asked;
         if self.value("attitude").is_none() && !has_attitude {
             self.set("attitude", "\"coordinated\"");
             self.doubt("no whole attitude is read: that of a coordinated flight without wind is taken");

@@ -4,7 +4,7 @@ use super::super::survey::tests::read;
 use super::*;
 
 /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
-const SAMPLES: [(&str, &str); 16] = [
+const SAMPLES: [(&str, &str); 25] = [
     (
         "Garmin G1000",
         "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss, hh:mm, degrees, degrees, ft msl, ft wgs, deg, deg, kt, fpm, deg, deg, deg\n\
@@ -86,14 +86,66 @@ const SAMPLES: [(&str, &str); 16] = [
         "Time,Latitude (deg),Latitude Geodetic (deg),Longitude (deg),Altitude ASL (ft),V_{North} (ft/s),V_{East} (ft/s),V_{Down} (ft/s),Phi (deg),Theta (deg),Psi (deg)\n\
          0,47.8,48.0,11.0,984.252,164.042,0,-3.28,5,2,0\n0.01,47.8,48.0000045,11.0,984.3,164.042,0,-3.28,5,2,0\n",
     ),
+    (
+        "DJI flight record (OSD)",
+        "CUSTOM.date [local],OSD.flyTime [s],OSD.latitude,OSD.longitude,OSD.height [ft],OSD.altitude [ft],OSD.xSpeed [MPH],OSD.ySpeed [MPH],OSD.zSpeed [MPH],OSD.pitch,OSD.roll,OSD.yaw,OSD.yaw [360]\n\
+         5/1/2024,0,48.0,11.0,0,984.252,111.8,0,-2,2,5,0,0\n5/1/2024,0.1,48.000045,11.0,0.3,984.6,111.8,0,-2,2,5,0,0\n",
+    ),
+    (
+        "X-Plane datarefs",
+        "sim/time/total_flight_time_sec,sim/flightmodel/position/latitude,sim/flightmodel/position/longitude,sim/flightmodel/position/elevation,sim/flightmodel/position/local_vx,sim/flightmodel/position/phi,sim/flightmodel/position/theta,sim/flightmodel/position/psi\n\
+         7,48.0,11.0,300,0,5,2,0\n7.1,48.000045,11.0,300.1,0,5,2,0\n",
+    ),
+    (
+        "ROS topic (NavSatFix)",
+        "%time,field.header.seq,field.header.stamp,field.latitude,field.longitude,field.altitude\n\
+         1714564800100000000,1,1714564800000000000,48.0,11.0,300\n1714564801100000000,2,1714564801000000000,48.00045,11.0,301\n",
+    ),
+    (
+        "EdgeTX telemetry",
+        "Date,Time,1RSS(dB),GPS,GSpd(kmh),Hdg(°),Alt(m),Sats,Ptch(rad),Roll(rad),Yaw(rad)\n\
+         2024-05-01,12:00:00.000,-60,48.000000 11.000000,180,0,300,14,0.0349,0.08727,0\n\
+         2024-05-01,12:00:00.200,-60,48.000090 11.000000,180,0,300,14,0.0349,0.08727,0\n",
+    ),
+    (
+        "u-blox NAV-PVT",
+        "iTOW,fixType,numSV,lon,lat,height,hMSL,velN,velE,velD,gSpeed,headMot\n\
+         216000000,3,14,110000000,480000000,300000,254000,50000,0,-1000,50000,0\n\
+         216000200,3,14,110000000,480000900,300200,254200,50000,0,-1000,50000,0\n",
+    ),
+    (
+        "MAVLink GLOBAL_POSITION_INT",
+        "timestamp,time_boot_ms,lat,lon,alt,relative_alt,vx,vy,vz,hdg,roll,pitch,yaw\n\
+         1714564800.0,1000,480000000,110000000,300000,0,5000,0,-100,0,0.08727,0.0349,0\n\
+         1714564800.2,1200,480000900,110000000,300200,200,5000,0,-100,0,0.08727,0.0349,0\n",
+    ),
+    (
+        "ForeFlight track",
+        "Pilot,Tail Number,Start Latitude,Start Longitude,Start Time\nA,X,48,11,1714564800000\n\
+         Timestamp,Latitude,Longitude,Altitude,Course,Speed,Bank,Pitch,Horizontal Error,Vertical Error,g Load\n\
+         1714564800000,48.0,11.0,984.252,0,97.2,5,2,5,3,1\n1714564801000,48.00045,11.0,987.5,0,97.2,5,2,5,3,1\n",
+    ),
+    (
+        "readsb trace",
+        "timestamp,lat,lon,alt_baro,gs,track,flags,baro_rate,alt_geom,geom_rate,ias,roll,true_heading\n\
+         1714564800.3,48.0,11.0,ground,97.2,0,0,0,984.252,0,90,5,0\n1714564801.3,48.00045,11.0,800,97.2,0,0,192,987.5,192,90,5,0\n",
+    ),
+    (
+        "SBET as text",
+        "time, latitude, longitude, altitude, x_vel, y_vel, z_vel, roll, pitch, platform_heading, wander_angle\n\
+         216000.0, 0.8377580409572782, 0.19198621771937624, 300, 0, 50, 1, 0.08727, 0.0349, -0.25, 0.25\n\
+         216000.1, 0.8377588263554416, 0.19198621771937624, 300, 0, 50, 1, 0.08727, 0.0349, -0.25, 0.25\n",
+    ),
 ];
 
 #[test]
 fn every_known_format_is_recognized_and_read() {
-    assert_eq!(KNOWN.map(|known| known.name), SAMPLES.map(|(name, _)| name));
+    let names = KNOWN.iter().chain(&RECORDERS).map(|known| known.name);
+    assert!(names.eq(SAMPLES.iter().map(|(name, _)| *name)));
     for (name, table) in SAMPLES {
         let (survey, log) = read(table);
         assert_eq!(survey.format, Some(name), "{survey:?}");
+        assert!(survey.questions.is_empty(), "{survey:?}");
         let sample = log.samples()[0];
         assert_eq!(log.samples().len(), 2, "{name}");
         assert!((sample.place.latitude_rad.to_degrees() - 48.0).abs() < 1e-9, "{name}: {sample:?}");

@@ -6,13 +6,13 @@ use crate::base::text::excerpt;
 use crate::base::units::DEG;
 
 /// Largest angle between heading and track of a reading that fits \[rad\]: wind, and a heading that may be magnetic.
-const FITS: f64 = 25.0 * DEG;
+pub const FITS: f64 = 25.0 * DEG;
 
 /// A reading fits better than another one if its angle is smaller by this factor.
-const BETTER: f64 = 3.0;
+pub const BETTER: f64 = 3.0;
 
 /// A quarter of a turn, and the largest height of a flight \[m\].
-const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
+pub const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
 const HIGHEST_M: f64 = 1e5;
 
 impl Draft<'_> {

@@ -360,3 +360,44 @@ fn a_unit_in_the_name_of_a_column_counts_where_the_log_states_none() {
     assert_eq!(read("{ col = \"Alt (ft)\", unit = \"m\" }", "Alt (ft)"), (1000.0, false));
     assert_eq!(read("{ col = \"Alt (ft)\", scale = 0.5 }", "Alt (ft)"), (500.0, false));
 }
+
+#[test]
+fn a_quaternion_is_read_if_its_heading_follows_the_track() {
+    let rows = flight(47.3, 8.4);
+    let text = |names: &str, of: fn([f64; 4]) -> [f64; 4]| {
+        table(&format!("t,lat,lon,alt,{names}"), &rows, |_, row| {
+            // Heading about down, then pitch about right, then roll about forward.
+            let [roll, pitch, heading] = attitude(row).map(|angle| (0.5 * angle.to_radians()).sin_cos());
+            let ((sr, cr), (sp, cp), (sh, ch)) = (roll, pitch, heading);
+            let q = [
+                cr * cp * ch + sr * sp * sh,
+                sr * cp * ch - cr * sp * sh,
+                cr * sp * ch + sr * cp * sh,
+                cr * cp * sh - sr * sp * ch,
+            ];
+            let q = of(q).map(|part| format!("{part:.9}")).join(",");
+            format!("{:.1},{:.8},{:.8},{:.3},{q}", row[0], row[1], row[2], row[3])
+        })
+    };
+    for (names, of) in [
+        ("qw,qx,qy,qz", (|q| q) as fn([f64; 4]) -> [f64; 4]),
+        ("qx,qy,qz,qw", |[w, x, y, z]| [x, y, z, w]),
+        ("q0,q1,q2,q3", |[w, x, y, z]| [w, -x, -y, -z]),
+    ] {
+        let (found, samples) = look(&text(names, of));
+        for (sample, row) in samples.unwrap_or_else(|error| panic!("{error:?} {found:?}")).iter().zip(&rows) {
+            let expected = attitude(row).map(f64::to_radians);
+            let read = [sample.euler.roll, sample.euler.pitch, sample.euler.heading];
+            assert!(
+                (0..3).all(|axis| (read[axis] - expected[axis]).abs() < 1e-6),
+                "{names}: {read:?}, not {expected:?}"
+            );
+        }
+    }
+    // Forward-left-up to east-north-up, as in ROS.
+    let of_ros = |[w, x, y, z]: [f64; 4]| {
+        let half = core::f64::consts::FRAC_1_SQRT_2;
+        [half * (w + z), half * (x + y), half * (x - y), half * (w - z)]
+    };
+    assert_asks(&text("qw,qx,qy,qz", of_ros), "of which axes is it?");
+}

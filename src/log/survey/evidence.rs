@@ -40,6 +40,19 @@ impl Draft<'_> {
 
     /// The motion over the times in this column, or over the number of the row.
     pub(super) fn motion_over(&self, time: Option<(usize, TimeFormat)>) -> Option<Motion> {
+        self.motion_of(time, |cells| self.number_of(cells, "heading"))
+    }
+
+    /// The motion of the table with another heading.
+    pub(super) fn motion_with(&self, heading: impl Fn(&StringRecord) -> Option<f64>) -> Option<Motion> {
+        self.motion_of(self.place("time").map(|place| (place, self.format_of_time())), heading)
+    }
+
+    fn motion_of(
+        &self,
+        time: Option<(usize, TimeFormat)>,
+        heading: impl Fn(&StringRecord) -> Option<f64>,
+    ) -> Option<Motion> {
         let mut clock = clock(time.map_or(TimeFormat::Number, |(_, format)| format));
         let velocity = self.found("east").zip(self.found("north"));
         let si = |unit: &str| unit_of(Dimension::Speed, unit).map_or(1.0, |(_, si)| si);
@@ -70,7 +83,7 @@ impl Draft<'_> {
                 }
                 None => (value("speed"), value("track") * track_si),
             };
-            let heading = value("heading");
+            let heading = heading(cells).unwrap_or(f64::NAN);
             Some(Row { time, latitude, longitude, speed: speed * speed_si, course, heading })
         };
         let rows: Vec<Row> = self.grid.rows.iter().enumerate().filter_map(row).collect();
@@ -78,7 +91,7 @@ impl Draft<'_> {
     }
 
     /// The number of a quantity in a row.
-    fn number_of(&self, cells: &StringRecord, key: &str) -> Option<f64> {
+    pub(super) fn number_of(&self, cells: &StringRecord, key: &str) -> Option<f64> {
         let found = self.found(key)?;
         number(part_of(cells.get(found.place)?, found.part)?, self.grid.separator)
     }
