@@ -6,9 +6,9 @@ use super::columns::{columns, only_place, unread};
 use super::foreign::foreign;
 use super::reading::Reading;
 use super::record::Record;
-use super::rows::{Cells, check_line, names_of, next_row, reader, single_blanks};
+use super::rows::{Cells, cells, check_line, names_of, next_row, reader, single_blanks};
 use super::text::decoded;
-use super::{FlightLog, LogError, LogMapping, MAX_COLUMNS, Separator, fault};
+use super::{ColumnFrom, FlightLog, LogError, LogMapping, MAX_COLUMNS, Separator, fault};
 use crate::base::text::Fault;
 
 impl FlightLog {
@@ -70,7 +70,8 @@ impl FlightLog {
         let line = rows.header(mapping, &mut row)?;
         let has_names = mapping.header > 0;
         let names = if has_names { names_of(&row, mapping.separator) } else { row.clone() };
-        let columns = columns(&names, line, mapping)?;
+        let columns =
+            columns(&names, line, mapping).map_err(|error| with_later_header(error, text, mapping))?;
         let notes = if has_names { unread(&names, line, &columns, mapping) } else { Vec::new() };
         let only = only_place(&names, line, mapping)?;
         let mut reading = Reading::new(title(text, comment), columns, notes, mapping);
@@ -82,9 +83,18 @@ impl FlightLog {
         // Without names the first row is one of values.
         let mut next = if has_names { rows.next(&mut row)? } else { Some(line) };
         let mut to_skip = mapping.skip;
+        let ends = text.iter().filter(|byte| **byte == b'\n').count() as u64;
+        let unended = (!text.ends_with(b"\n")).then_some(ends + 1);
+        let mut widest = 0;
         while let Some(line) = next {
+            let is_cut = unended == Some(line) && row.len() < widest;
+            widest = widest.max(row.len());
             if to_skip > 0 {
                 to_skip -= 1;
+            } else if is_cut {
+                reading.cut_off(line);
+            } else if header.is_early(&row) && reading.has_no_fix() {
+                reading.leave_out(line);
             } else if !header.passes(&row) {
                 header.check_width(&row, line)?;
                 match only.is_none_or(|place| row.get(place) == Some(&mapping.only)) {
@@ -94,7 +104,33 @@ impl FlightLog {
             }
             next = rows.next(&mut row)?;
         }
-        reading.finish(text.iter().filter(|byte| **byte == b'\n').count() as u64)
+        reading.finish(ends)
+    }
+}
+
+/// A fault about columns that are not in the header, with the line that has all names of `[log]`, if there is one.
+fn with_later_header(error: LogError, text: &[u8], mapping: &LogMapping) -> LogError {
+    const LINES: usize = 30;
+    let wanted: Vec<&str> = mapping
+        .columns
+        .iter()
+        .filter_map(|column| match &column.from {
+            ColumnFrom::Name(name) if column.file.is_empty() => Some(name.as_str()),
+            _ => None,
+        })
+        .collect();
+    let lines = text.split(|byte| *byte == b'\n').take(LINES).zip(1u64..);
+    let mut lines = lines.filter(|(_, number)| *number != mapping.header);
+    let has_all = |line: &[u8]| {
+        let row = names_of(&cells(&String::from_utf8_lossy(line), mapping.separator), mapping.separator);
+        wanted.iter().all(|name| row.iter().any(|cell| cell == *name))
+    };
+    match (error, lines.find(|(line, _)| !wanted.is_empty() && has_all(line))) {
+        (LogError::Fault(fault), Some((_, number))) => {
+            let sentence = format!("{}; line {number} has them: is it header = {number}?", fault.sentence);
+            LogError::Fault(Fault { sentence, ..fault })
+        }
+        (error, _) => error,
     }
 }
 
@@ -151,6 +187,11 @@ impl Header {
         self.is_foreign && (is_blank() || self.names.as_ref() == Some(row))
     }
 
+    /// Whether a row of a foreign table is short, as those before the first fix may be.
+    fn is_early(&self, row: &StringRecord) -> bool {
+        self.is_foreign && row.len() < self.width && !self.passes(row)
+    }
+
     /// Rejects a row with more fields than columns. Decimal commas do this: each value is cut in two, and what stands behind it moves to
     /// the next column.
     fn check_width(&self, row: &StringRecord, line: u64) -> Result<(), LogError> {
@@ -171,4 +212,60 @@ fn title(text: &[u8], comment: u8) -> String {
     let first = String::from_utf8_lossy(first);
     let comment = first.strip_prefix(mark).unwrap_or_default();
     comment.trim_start_matches(mark).trim().chars().filter(|letter| !letter.is_control()).take(160).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{FlightLog, LogError};
+    use crate::scene::Scene;
+
+    fn read(keys: &str, table: &str) -> Result<FlightLog, LogError> {
+        let text = format!("[flight]\nfile = \"a.csv\"\n[log]\n{keys}");
+        let scene = Scene::parse(text.as_bytes()).unwrap_or_else(|faults| panic!("{faults:?}"));
+        assert_eq!(Scene::parse(scene.write().as_bytes()).unwrap().log, scene.log);
+        FlightLog::parse_with(table.as_bytes(), &scene.log)
+    }
+
+    const KEYS: &str = "time = \"Uhrzeit\"\nlatitude = \"Breite\"\nlongitude = \"Lon\"\nheight = 0\nroll = 0\npitch = 0\nheading = 0\n";
+
+    /// A recorder without power ends within a line; a whole last line needs no end.
+    #[test]
+    fn a_last_line_that_is_cut_off_is_left_out() {
+        let rows = "0,47,8,1\n1,47.01,8.01,1\n2,47.02,8.02,1\n";
+        for (end, count) in [("", 3), ("3,47.03,8.03,1", 4), ("3,47.0", 3), ("3,47.03,8", 3), ("3", 3)] {
+            for (keys, names) in [
+                (KEYS, "Uhrzeit,Breite,Lon,n\n"),
+                ("", "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n"),
+            ] {
+                let more = if keys.is_empty() { ",0,0,0" } else { "" };
+                let is_whole = end.matches(',').count() == 3;
+                let rows = rows.replace('\n', &format!("{more}\n"));
+                let end = if is_whole { format!("{end}{more}") } else { end.to_owned() };
+                let log = read(keys, &format!("{names}{rows}{end}")).unwrap();
+                assert_eq!(log.samples().len(), count, "{end}");
+                let cut = log.notes().iter().find(|note| note.sentence.contains("cut off"));
+                assert_eq!(cut.map(|note| note.line), (count == 3 && !end.is_empty()).then_some(5), "{end}");
+            }
+        }
+        // A short row within the table is a fault, and so is a short last line that has an end.
+        for table in ["0,47,8,1\n1,47\n2,47.02,8.02,1\n", "0,47,8,1\n1,47.01,8.01,1\n2,47\n"] {
+            assert!(read(KEYS, &format!("Uhrzeit,Breite,Lon,n\n{table}")).is_err(), "{table}");
+        }
+        let log = read(KEYS, &format!("Uhrzeit,Breite,Lon,n\n0\n0.5,47\n{}", &rows[9..])).unwrap();
+        assert_eq!(log.samples().len(), 2);
+        assert_eq!(log.notes()[0].sentence, "2 rows are left out, the first here: a value is missing");
+    }
+
+    #[test]
+    fn names_in_a_later_line_are_pointed_at_and_a_semicolon_is_a_separator() {
+        let table = "Messung 7\nUhrzeit;Breite;Lon\n0;47;8\n1;47,01;8\n";
+        let keys = format!("separator = \";\"\n{KEYS}");
+        let Err(LogError::Fault(fault)) = read(&keys, table) else { panic!() };
+        assert!(fault.sentence.contains("no column Uhrzeit"), "{fault:?}");
+        assert!(fault.sentence.ends_with("line 2 has them: is it header = 2?"), "{fault:?}");
+        let log = read(&format!("header = 2\n{keys}"), table).unwrap();
+        assert!((log.samples()[1].place.latitude_rad.to_degrees() - 47.01).abs() < 1e-9);
+        let Err(LogError::Fault(fault)) = read(&keys, &table.replace("Lon", "x")) else { panic!() };
+        assert!(!fault.sentence.contains("header = 2"), "{fault:?}");
+    }
 }

@@ -45,10 +45,26 @@ impl<'m> Reading<'m> {
         self.log.notes.push(Fault { sentence, ..Fault::default() });
     }
 
+    /// Whether no row had a value of each quantity yet.
+    pub fn has_no_fix(&self) -> bool {
+        self.log.samples.is_empty()
+    }
+
+    /// Leaves the row on `line` out.
+    pub fn leave_out(&mut self, line: u64) {
+        self.left_out.get_or_insert((0, line)).0 += 1;
+    }
+
+    /// Leaves the last row out, which is cut off.
+    pub fn cut_off(&mut self, line: u64) {
+        let sentence = "the last line is cut off, and left out".to_owned();
+        self.log.notes.push(Fault { line: line as usize, column: 1, sentence, ..Fault::default() });
+    }
+
     /// Takes the row on `line`.
     pub fn row(&mut self, cells: Cells<'_>, line: u64) -> Result<(), LogError> {
         let Some(sample) = self.table.sample(&cells, line, self.log.samples.last())? else {
-            self.left_out.get_or_insert((0, line)).0 += 1;
+            self.leave_out(line);
             return Ok(());
         };
         match self.log.samples.last() {
