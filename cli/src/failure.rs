@@ -27,6 +27,7 @@ Exit codes:
   0    done; also a live flight that Ctrl-C ended
   1    failed: the solution diverged, or an output cannot be written. What was flown until then is written
   2    an option or an input file cannot be used, another run writes the same output, or live ended without a flight; nothing is written
+       but the file of log --map with what it asks
   3    not met: recommend found no options for the requirement and printed the best; or the runs of an ensemble do not meet --meets
   4    ensemble: the runs are too few to decide whether they meet --meets
   130  interrupted by Ctrl-C, SIGTERM or SIGHUP: no temporary file is left, and all files are complete. A second one ends at once";

@@ -168,15 +168,14 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
     let mark = if is_same { MAP_MARK } else { NO_MARK };
     Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, mark)?.finish(text)?;
     let doubts: String = found.doubts.iter().map(|doubt| format!("not sure: {doubt}\n")).collect();
-    print(&format!("{}: the columns are {format}\n{doubts}", path.display()))?;
     if found.questions.is_empty() {
-        return Ok(());
+        return print(&format!("{}: the columns are {format}\n{doubts}", path.display()));
     }
     let questions: String = found.questions.iter().map(|question| asked(question, "")).collect();
     let [map, log] = [quoted(path), quoted(&order.file)];
     let next =
         format!("write an answer to each into {map}, and look again: `sins log {log} --columns {map}`");
-    Err(Failure::of_file(&order.file, &format!("what flies is not certain\n{questions}{next}")))
+    Err(Failure::of_file(&order.file, &format!("what flies is not certain\n{doubts}{questions}{next}")))
 }
 
 /// A question with its answers, which are lines of `[log]`.

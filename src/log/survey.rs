@@ -79,7 +79,8 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     let Some(grid) = Grid::of(&table) else { return nameless(&table) };
     let known = known(&grid.names);
     let (places, keys, doubts, questions) = Default::default();
-    let mut draft = Draft { grid: &grid, places, keys, doubts, questions, is_attitude_asked: false };
+    let mut draft =
+        Draft { grid: &grid, places, keys, doubts, questions, is_attitude_asked: false, reading: 0 };
     match known {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
@@ -117,6 +118,8 @@ struct Draft<'g> {
     doubts: Vec<String>,
     questions: Vec<Question>,
     is_attitude_asked: bool,
+    /// How the position is read, by its place in the readings.
+    reading: usize,
 }
 
 impl Draft<'_> {

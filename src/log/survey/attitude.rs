@@ -1,12 +1,15 @@
 //! Attitudes whose unit or whose sense nothing states, and heights that are none.
 
-use super::motion::READINGS;
+use super::motion::{Motion, READINGS, Reading};
 use super::{ATTITUDE, Draft, Question, largest};
 use crate::base::text::excerpt;
 use crate::base::units::DEG;
 
 /// Largest angle between heading and track of a reading that fits \[rad\]: wind, and a heading that may be magnetic.
 pub const FITS: f64 = 25.0 * DEG;
+
+/// The same of a flight that does not turn, whose track may be off its heading by chance \[rad\].
+const FITS_STRAIGHT: f64 = 5.0 * DEG;
 
 /// A reading fits better than another one if its angle is smaller by this factor.
 pub const BETTER: f64 = 3.0;
@@ -31,8 +34,8 @@ impl Draft<'_> {
         let si = |unit: &str| if unit == "rad" { 1.0 } else { DEG };
         let stated = self.found("heading").map_or("", |found| found.unit);
         let units: &[&str] = if is_small { &["", "rad"] } else { &[stated] };
-        let reading = &READINGS[if self.is_position_in_radians() { READINGS.len() - 1 } else { 0 }];
-        let is_place = |motion: &super::motion::Motion| motion.first_place(reading, false).is_some();
+        let reading = self.reading();
+        let is_place = |motion: &Motion| motion.first_place(reading, false).is_some();
         let motion = self.motion().filter(is_place);
         let turn = |unit: &str, of_heading: fn(f64) -> f64| {
             let turn = motion.as_ref()?.turn(reading, |heading| of_heading(heading * si(unit)));
@@ -44,20 +47,29 @@ impl Draft<'_> {
         let least = |turns: &[Option<f64>]| turns.iter().flatten().copied().fold(f64::INFINITY, f64::min);
         let [of_compass, of_east] = [least(&compass), least(&east)];
         let is_turning = motion.as_ref().is_some_and(|motion| motion.turns(reading));
-        let is_from_east = of_compass > FITS && BETTER * of_east < of_compass && of_east < FITS && is_turning;
-        if is_from_east {
+        let is_followed = of_east < if is_turning { FITS } else { FITS_STRAIGHT };
+        if of_compass > FITS && BETTER * of_east < of_compass && is_followed {
+            let fits = units.iter().zip(&east).filter(|(_, turn)| turn.is_some_and(|turn| turn < FITS));
+            let units: Vec<&str> = fits.map(|(unit, _)| *unit).collect();
             return self.ask_for_attitude(
-                units,
+                &units,
                 "the heading follows the track if it counts from the east, anticlockwise",
             );
         }
         if !is_small {
             return;
         }
-        let unit = match compass[..] {
-            [Some(degrees), Some(radians)] if BETTER * radians < degrees && radians < FITS => "rad",
-            [Some(degrees), Some(radians)] if BETTER * degrees < radians && degrees < FITS => "deg",
-            [None, None] if self.is_position_in_radians() => "rad",
+        // Those from the east have no unit here.
+        let mut turns: Vec<(&str, f64)> = ["deg", "rad"]
+            .into_iter()
+            .zip(&compass)
+            .chain(["", ""].into_iter().zip(&east))
+            .filter_map(|(unit, turn)| Some((unit, (*turn)?)))
+            .collect();
+        turns.sort_by(|(_, one), (_, other)| one.total_cmp(other));
+        let unit = match turns[..] {
+            [(unit, best), (_, next), ..] if best < FITS && BETTER * best < next && !unit.is_empty() => unit,
+            [] if self.is_position_in_radians() => "rad",
             _ => {
                 return self
                     .ask_for_attitude(units, "no angle of the attitude is above 6.28: are they radians?");
@@ -75,6 +87,11 @@ impl Draft<'_> {
 
     pub(super) fn is_position_in_radians(&self) -> bool {
         self.value("latitude").is_some_and(|value| value.contains("\"rad\""))
+    }
+
+    /// How the position is read.
+    pub(super) fn reading(&self) -> &'static Reading {
+        &READINGS[if self.is_position_in_radians() { READINGS.len() - 1 } else { self.reading }]
     }
 
     fn ask_for_attitude(&mut self, units: &[&str], sentence: &str) {

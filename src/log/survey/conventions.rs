@@ -174,6 +174,25 @@ fn a_position_in_any_unit_is_found_by_speed_and_course_and_otherwise_asked_about
         let (distance, _) = errors(&samples.unwrap(), &rows);
         assert!(distance < 0.01 && doubts_of(&found, "exchanged"), "{distance} m: {found:?}");
     }
+    // A speed through the air contradicts no position, and a row that is nowhere is a fault at its line.
+    let rows = flight(47.3, 8.4);
+    let text = table("t,lat,lon,alt,speed (m/s),course", &rows, |_, row| {
+        format!("{:.1},{:.8},{:.8},{:.3},{:.2},{:.1}", row[0], row[1], row[2], row[3], row[4] * 0.8, row[5])
+    });
+    let (found, samples) = look(&text);
+    assert!(
+        errors(&samples.unwrap(), &rows).0 < 0.01 && doubts_of(&found, "1.250 times the speed"),
+        "{found:?}"
+    );
+    let (found, samples) = look(&text.replace("\n20.0,47.", "\n20.0,147."));
+    assert!(found.questions.is_empty(), "{found:?}");
+    let Err(LogError::Fault(fault)) = samples else { panic!("{found:?}") };
+    assert!(fault.line == 102 && fault.sentence.contains("must be from -90 to 90"), "{fault:?}");
+    // Milliseconds and velocities that state no unit.
+    let text = table("t,lat,lon,alt,speed,course", &rows, |_, row| {
+        format!("{:.0},{:.8},{:.8},{:.3},{:.2},{:.1}", row[0] * 1e3, row[1], row[2], row[3], row[4], row[5])
+    });
+    assert!(errors(&look(&text).1.unwrap(), &rows).1 < 1e-6);
     // Metres of a map are no angles.
     let text = table("t,lat,lon,alt", &flight(47.3, 8.4), |_, row| {
         format!("{:.1},{:.2},{:.2},{:.3}", row[0], row[1] * 111_195.0, 500_000.0 + row[2] * 75_000.0, row[3])
@@ -273,6 +292,14 @@ fn an_attitude_without_units_is_of_the_unit_in_which_the_heading_follows_the_tra
     let level = |angles: [f64; 3]| [0.1, angles[1], angles[2]];
     let (found, samples) = look(&text("roll,pitch,yaw", level, &north));
     assert!((samples.unwrap()[0].euler.heading.to_degrees() - 3.0).abs() < 1e-5, "{found:?}");
+    // A position in another unit tells too.
+    let minutes = table("t,lat,lon,alt,speed (m/s),course,roll,pitch,yaw", &rows, |_, row| {
+        let [roll, pitch, heading] = attitude(row).map(f64::to_radians);
+        let place = format!("{:.1},{},{},{:.3}", row[0], written(2, row[1]), written(2, row[2]), row[3]);
+        format!("{place},{:.2},{:.1},{roll:.6},{pitch:.6},{heading:.6}", row[4], row[5])
+    });
+    let (found, samples) = look(&minutes);
+    assert!((samples.unwrap()[0].euler.heading - 20.0_f64.to_radians()).abs() < 1e-5, "{found:?}");
     // Without motion nothing tells.
     let mut rest = rows.clone();
     rest.iter_mut().for_each(|row| *row = [row[0], 47.0, 8.4, row[3], 0.0, 3.0]);
@@ -284,6 +311,7 @@ fn an_attitude_without_units_is_of_the_unit_in_which_the_heading_follows_the_tra
     ] {
         let found = assert_asks(&text("roll,pitch,yaw", of, &rows), "from the east");
         assert!(!found.text.contains("heading") && !found.text.contains("coordinated"), "{found:?}");
+        assert_asks(&text("roll,pitch,yaw", of, &rows[..90]), "anticlockwise from east");
         // One of the answers is right.
         let answers = &found.questions[0].answers;
         let right = answers.iter().filter(|answer| {

@@ -11,6 +11,9 @@ use super::{Draft, Question, clock};
 use crate::base::math::{atan2, hypot};
 use crate::base::text::nearest;
 
+/// The units that a speed over ground has which states none are those from km/h on \[m/s\]: with mm/s times in ms would be times in s.
+const SLOWEST_UNIT: f64 = 0.27;
+
 /// Largest number of columns that a question names.
 const MOST: usize = 3;
 
@@ -59,7 +62,7 @@ impl Draft<'_> {
         let of_speed = self.found("speed");
         let unit = velocity.map(|(east, _)| east.unit).or(of_speed.map(|speed| speed.unit));
         let speed_units: Vec<f64> = match unit {
-            Some("") => units_of(Dimension::Speed).map(si).collect(),
+            Some("") => units_of(Dimension::Speed).map(si).filter(|si| *si >= SLOWEST_UNIT).collect(),
             _ => vec![1.0],
         };
         let speed_si = unit.map_or(1.0, si);

@@ -18,6 +18,9 @@ const FINEST: f64 = 5.0;
 const SPEED_FITS: f64 = 0.05;
 const COURSE_FITS_DEG: f64 = 25.0;
 
+/// A reading is impossible if more than one in so many rows is nowhere on the Earth.
+const FEWEST_LOST: usize = 100;
+
 /// A reading is the only one if the misfit of each other is larger by this factor, and by this difference.
 const ALONE: f64 = 3.0;
 const ALONE_BY: f64 = 0.003;
@@ -117,11 +120,12 @@ impl Motion {
         (place[0].abs() <= 90.0 && place[1].abs() <= 360.0).then_some(place)
     }
 
-    /// The first place; `None`: with this reading a row is nowhere on the Earth.
+    /// The first place; `None`: with this reading more than a few rows are nowhere on the Earth.
     pub fn first_place(&self, reading: &Reading, is_exchanged: bool) -> Option<[f64; 2]> {
-        let mut places = self.rows.iter().map(|row| self.place(row, reading, is_exchanged));
-        let first = places.next()??;
-        places.all(|place| place.is_some()).then_some(first)
+        let places = self.rows.iter().map(|row| self.place(row, reading, is_exchanged));
+        let first = self.rows.iter().find_map(|row| self.place(row, reading, is_exchanged))?;
+        let lost = places.filter(Option::is_none).count();
+        (lost * FEWEST_LOST <= self.rows.len()).then_some(first)
     }
 
     fn steps(&self, reading: &Reading, is_exchanged: bool) -> Vec<Step> {
@@ -184,6 +188,12 @@ impl Motion {
         let steps = self.steps(reading, false);
         let first = steps.first().map_or(0.0, |step| step.track);
         median_turn(&steps, |_| first).is_some_and(|turn| turn > 0.25)
+    }
+
+    /// Whether speed and course both contradict a reading. A speed alone may be one through the air.
+    pub fn contradicts(&self, fit: &Fit) -> bool {
+        let is_other_way = fit.course_deg.is_some_and(|course_deg| course_deg >= COURSE_FITS_DEG);
+        fit.ratio.is_some() && self.misfit(fit).is_none() && is_other_way
     }
 
     /// How badly a reading fits; `None`: it contradicts the speed or the course, or there is no speed.

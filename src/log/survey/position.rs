@@ -27,17 +27,23 @@ impl Draft<'_> {
             }
             return;
         }
+        let is_timed = motion.is_timed && self.value("time").is_some();
         let fit = motion.fit(degrees, false, time_si);
-        if is_possible && (fit.ratio.is_none() || motion.misfit(&fit).is_some()) {
+        if is_possible && !(is_timed && motion.contradicts(&fit)) {
+            if let Some(ratio) = fit.ratio.filter(|_| is_timed && motion.misfit(&fit).is_none()) {
+                self.doubt(format!("the positions have {ratio:.3} times the speed of the table in m/s"));
+            }
             return;
         }
         let candidates = READINGS.iter().flat_map(|reading| [(reading, false), (reading, true)]);
         let fitting = candidates.filter_map(|(reading, is_exchanged)| {
             motion.first_place(reading, is_exchanged)?;
-            let misfit = motion.misfit(&motion.fit(reading, is_exchanged, time_si))?;
+            let fit = motion.fit(reading, is_exchanged, time_si);
+            // Speed alone may fit exchanged columns by chance.
+            let misfit = motion.misfit(&fit).filter(|_| !is_exchanged || fit.course_deg.is_some())?;
             Some(((reading, is_exchanged), misfit))
         });
-        match alone(fitting.collect()).filter(|_| motion.is_timed) {
+        match alone(fitting.collect()).filter(|_| is_timed) {
             Some((reading, is_exchanged)) => {
                 let columns = if is_exchanged { [longitude, latitude] } else { [latitude, longitude] };
                 let exchanged = if is_exchanged { ", exchanged" } else { "" };
@@ -45,8 +51,8 @@ impl Draft<'_> {
                 self.take(columns, reading, &why);
             }
             None if is_possible => {
-                let ratio = fit.ratio.unwrap_or(1.0);
-                self.doubt(format!("the positions have {ratio:.3} times the speed of the table in m/s"));
+                let course_deg = fit.course_deg.unwrap_or(0.0);
+                self.doubt(format!("the positions move {course_deg:.0} deg off the course of the table"));
             }
             None => self.ask_for_position([latitude, longitude], &motion, time_si),
         }
@@ -54,11 +60,18 @@ impl Draft<'_> {
 
     /// Reads the position from these columns in this way, and says so.
     fn take(&mut self, columns: [usize; 2], reading: &Reading, why: &str) {
+        if let Some(found) = READINGS.iter().position(|known| known.part == reading.part) {
+            self.reading = found;
+        }
         for (key, place) in ["latitude", "longitude"].into_iter().zip(columns) {
             let value = self.column_of_position(key, place, reading);
             self.replace(key, value);
             let name = excerpt(&self.grid.names[place]);
             self.doubt(format!("{name} is taken as {key} in {}{why}", reading.words));
+        }
+        for (key, place) in ["latitude", "longitude"].into_iter().zip(columns) {
+            let found = self.places.iter_mut().filter(|found| found.key == key);
+            found.for_each(|found| found.place = place);
         }
     }
 

@@ -3,7 +3,6 @@
 use csv::StringRecord;
 
 use super::attitude::{BETTER, FITS, QUARTER};
-use super::motion::READINGS;
 use super::{ATTITUDE, Draft, QUATERNION, Question};
 use crate::base::math::atan2;
 
@@ -22,7 +21,7 @@ impl Draft<'_> {
             self.doubt(sentence);
             return QUATERNION.into_iter().for_each(|key| self.remove(key));
         }
-        let reading = &READINGS[if self.is_position_in_radians() { READINGS.len() - 1 } else { 0 }];
+        let reading = self.reading();
         let turn = |is_reversed: bool, is_from_east: bool| {
             let motion = self.motion_with(|cells| self.heading_of(cells, is_reversed))?;
             motion.first_place(reading, false)?;

@@ -277,7 +277,7 @@ fn a_variation_is_for_magnetic_headings() {
         [("True Heading", false), ("heading", false), ("Magnetic Heading", true), ("HDG", true)]
     {
         let (found, log) = read(&format!(
-            "t,lat,lon,alt,roll,pitch,{heading},Declination\n0,48,11,300,1,2,90,4\n1,48.0005,11,300,1,2,90,4\n"
+            "t,lat,lon,alt,roll,pitch,{heading},Declination\n0,48,11,300,1,2,90,4\n1,48,11.0007,300,1,2,90,4\n"
         ));
         let expected = if is_magnetic { 94.0 } else { 90.0 };
         assert!(
@@ -286,6 +286,6 @@ fn a_variation_is_for_magnetic_headings() {
         );
         assert_eq!(doubts(&found, "is not used"), !is_magnetic, "{found:?}");
     }
-    let (found, _) = read("t,lat,lon,alt,roll,pitch,HDG\n0,48,11,300,1,2,90\n1,48.0005,11,300,1,2,90\n");
+    let (found, _) = read("t,lat,lon,alt,roll,pitch,HDG\n0,48,11,300,1,2,90\n1,48,11.0007,300,1,2,90\n");
     assert!(doubts(&found, "may be magnetic"), "{found:?}");
 }
