@@ -135,7 +135,7 @@ pub fn rtklib(table: &str) -> Option<Survey> {
         return None;
     }
     // A date and a time of the day, or a week and its second.
-    let format = if row.trim_start().split_whitespace().next()?.contains('/') {
+    let format = if row.split_whitespace().next()?.contains('/') {
         "time_format = \"hms\"\n"
     } else {
         ""
