@@ -133,7 +133,13 @@ fn stairs_of_heights_are_no_motion() {
             Euler { roll: 0.0, pitch: 0.05, heading },
         )
     });
-    for flight in [scene("commuter", 10.0), scene("aerobatics", 10.0), climbs, ship] {
+    // Its height crosses one edge or two.
+    let hover = vehicle("hover", 10.0, |t| {
+        let v =
+            Vector3::new(0.3 * (0.2 * t).sin() + 1.0, 0.2 * (0.3 * t).cos(), 0.015 * (0.01 * t).cos() + 0.01);
+        (v, Euler { roll: 0.02 * (0.7 * t).cos(), pitch: 0.0, heading: 0.3 })
+    });
+    for flight in [scene("commuter", 10.0), scene("aerobatics", 10.0), climbs, ship, hover] {
         for (rate_hz, up_m) in [(10.0, 7.62), (10.0, 5.0), (1.0, 7.62)] {
             // Its rolls turn by more than 90 degrees a second, which is refused.
             if rate_hz == 1.0 && flight.name == "aerobatics" {

@@ -27,6 +27,11 @@ const NEAR: f64 = 0.2;
 const LEAST_EDGES: u32 = 4;
 const SCATTERS: f64 = 0.2;
 
+/// Acceleration of a change between rows without one that no vehicle flies [m/s²]: such an edge is one of stairs by itself, up to the
+/// coarsest that logs have, 100 ft [m].
+const NOT_FLOWN_M_S2: f64 = 150.0;
+const COARSEST_M: f64 = 31.0;
+
 /// Steps of angles that logs have [deg], the coarsest first; and steps over which angles must extend to have them.
 const ANGLES_DEG: [f64; 5] = [1.0, 0.5, 0.1, 0.05, 0.01];
 const LEAST_STEPS: f64 = 4.0;
@@ -136,12 +141,12 @@ fn is_over(a: &Geodetic, b: &Geodetic) -> bool {
     a.latitude_rad == b.latitude_rad && a.longitude_rad == b.longitude_rad
 }
 
-/// The step of heights that change by multiples of it, whose number scatters by rounding [m]; 0: they do not. Any step counts, not only
-/// those that logs usually have.
+/// The step of heights that change by multiples of it, by rounding [m]: their number scatters, or nobody flies them; 0: they do not. Any
+/// step counts, not only those that logs usually have.
 fn stairs_m(samples: &[FlightSample]) -> f64 {
     let changes = || samples.windows(2).map(|two| two[1].place.height_m - two[0].place.height_m);
     let least_m = changes().map(f64::abs).filter(|change| *change > 0.0).fold(f64::INFINITY, f64::min);
-    let (mut edges, mut scattered) = (0_u32, 0_u32);
+    let (mut edges, mut scattered, mut not_flown) = (0_u32, 0_u32, 0_u32);
     let (mut steps_before, mut growth_before) = (0.0, 0.0);
     for change in changes() {
         let (multiple, steps) = (change / least_m, (change / least_m).round());
@@ -152,6 +157,15 @@ fn stairs_m(samples: &[FlightSample]) -> f64 {
         edges += u32::from(steps != 0.0);
         scattered += u32::from(growth * growth_before < 0.0);
         (steps_before, growth_before) = (steps, growth);
+    }
+    for four in samples.windows(4) {
+        let height_m = |k: usize| four[k].place.height_m;
+        let (change_m, length_s) = (height_m(2) - height_m(1), four[2].time_s - four[1].time_s);
+        let is_alone = height_m(0) == height_m(1) && height_m(2) == height_m(3);
+        not_flown += u32::from(is_alone && change_m.abs() > NOT_FLOWN_M_S2 * length_s * length_s);
+    }
+    if edges > 0 && not_flown == edges && least_m < COARSEST_M {
+        return least_m;
     }
     if edges >= LEAST_EDGES && f64::from(scattered) > SCATTERS * f64::from(edges) { least_m } else { 0.0 }
 }
