@@ -162,7 +162,7 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
         .map_or("guessed from names and values".to_owned(), |name| format!("of the format {name}"));
     let doubts: String = found.doubts.iter().map(|doubt| format!("# not sure: {doubt}\n")).collect();
     let questions: String = found.questions.iter().map(|question| asked(question, "# ")).collect();
-    let text = format!("{MAP_MARK} in {file}, {format}\n{doubts}{questions}\n[log]\n{}", found.text);
+    let text = format!("{MAP_MARK} in {file}, {format}\n{doubts}\n[log]\n{}{questions}", found.text);
     // One that was edited is not replaced.
     let is_same = std::fs::read(path).is_ok_and(|found| found == text.as_bytes());
     let mark = if is_same { MAP_MARK } else { NO_MARK };
