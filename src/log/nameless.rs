@@ -135,11 +135,7 @@ pub fn rtklib(table: &str) -> Option<Survey> {
         return None;
     }
     // A date and a time of the day, or a week and its second.
-    let format = if row.split_whitespace().next()?.contains('/') {
-        "time_format = \"hms\"\n"
-    } else {
-        ""
-    };
+    let format = if row.split_whitespace().next()?.contains('/') { "time_format = \"hms\"\n" } else { "" };
     let mut text = format!(
         "separator = \"blanks\"\ncomment = \"%\"\nheader = 0\ntime = {{ col = 2 }}\n{format}latitude = {{ col = 3 }}\nlongitude = {{ col = 4 }}\nheight = {{ col = 5 }}\n"
     );

@@ -396,7 +396,7 @@ mod tests {
             let rolls = log.samples().iter().map(|sample| sample.euler.roll.to_degrees().round() as u32);
             (rolls.collect::<Vec<_>>(), log.samples()[1].place.height_m, log.notes()[0].sentence.clone())
         };
-        let (rolls, height_m, note) = read("smooth = \"auto\"\n");
+        let (rolls, height_m, note) = read("roll = \"roll_deg\"\nsmooth = \"auto\"\n");
         assert_eq!((rolls, height_m), (vec![2, 3, 4, 5], 500.0));
         assert_eq!(note, "2 rows are left out, the first here: a value is missing");
         let (rolls, ..) = read("roll = \"roll_deg\"\n");
