@@ -2,10 +2,10 @@
 
 use csv::StringRecord;
 
-use super::Separator;
 use super::guess::{guess, unit};
 use super::known::known;
 use super::rows::{cells, is_missing, names_of, number, unmarked};
+use super::{MAX_COLUMNS, MAX_LINE, Separator};
 
 /// Lines in which the names are looked for, and rows whose values are looked at.
 const LINES: usize = 20;
@@ -30,9 +30,10 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// `None`: no line at the beginning has names of quantities.
+    /// `None`: no line at the beginning has names of quantities. A table ends at a line that no log has.
     pub fn of(table: &str) -> Option<Self> {
-        let lines: Vec<&str> = table.lines().take(LINES + ROWS).collect();
+        let lines = table.lines().take_while(|line| line.len() <= MAX_LINE);
+        let lines: Vec<&str> = lines.take(LINES + ROWS).collect();
         let mut best: Option<(usize, Separator, usize)> = None;
         for separator in
             [Separator::Comma, Separator::Semicolon, Separator::Tab, Separator::Bar, Separator::Blanks]
@@ -43,6 +44,9 @@ impl Grid {
             }
             for (place, line) in lines.iter().enumerate().take(LINES) {
                 let names = names_of(&cells(line, separator), separator);
+                if names.len() > MAX_COLUMNS {
+                    continue;
+                }
                 let count = if known(&names).is_some() { usize::MAX } else { quantities(&names) };
                 if count >= FEWEST && best.is_none_or(|(most, ..)| count > most) {
                     best = Some((count, separator, place));

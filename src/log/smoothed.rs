@@ -81,10 +81,14 @@ impl FlightLog {
         let mut row = 0;
         for k in 0..count {
             let time_s = (start_s + k as f64 / rate_hz).min(end_s);
-            samples.push(smoothed.sample_at(time_s).map_err(|error| fault(0, 1, error.to_string()))?);
             while self.samples.get(row + 1).is_some_and(|next| next.time_s <= time_s) {
                 row += 1;
             }
+            let sample = smoothed.sample_at(time_s).and_then(|sample| sample.validate().map(|()| sample));
+            samples.push(sample.map_err(|error| {
+                let (line, cause) = (self.line(row).unwrap_or_default(), self.what_may_be_the_cause(earth));
+                fault(line, 1, format!("the path through the rows: {error}{cause}"))
+            })?);
             lines.extend(self.line(row));
         }
         let mut rows = room(self.samples.len()).map_err(LogError::Memory)?;
@@ -201,5 +205,31 @@ fn digits(value: f64) -> String {
         size if size >= 1.0 => format!("{value:.1}"),
         size if size >= 1e-3 => format!("{value:.4}"),
         _ => format!("{value:.1e}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{FlightLog, LogError};
+    use crate::earth::Earth;
+    use crate::scene::Scene;
+
+    /// Stamps that are too near for their rows make a path that nothing flies: it is refused at a row, with the cause.
+    #[test]
+    fn a_path_beyond_the_limits_of_samples_is_refused_at_its_row() {
+        let scene = Scene::parse(b"[flight]\nfile = \"a.csv\"\n[log]\nsmooth = \"auto\"\n").unwrap();
+        let smoothed = |step_s: f64| {
+            let row = |k: u32| {
+                let (time_s, latitude) = (step_s * f64::from(k), 47.0 + 3.6e-4 * f64::from(k));
+                format!("{time_s},{latitude:.8},8,500,0,0,0\n")
+            };
+            let names = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+            let table = names.to_owned() + &(0..300).map(row).collect::<String>();
+            FlightLog::parse_with(table.as_bytes(), &scene.log).unwrap().smoothed(&Earth::default())
+        };
+        assert!(smoothed(1.0).is_ok());
+        let Err(LogError::Fault(fault)) = smoothed(0.001) else { panic!("40 km/s is flown") };
+        assert!(fault.line >= 2 && fault.sentence.contains("velocity_enu_m_s[1]"), "{fault:?}");
+        assert!(fault.sentence.starts_with("the path through the rows: "), "{fault:?}");
     }
 }

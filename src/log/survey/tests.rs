@@ -48,6 +48,22 @@ fn separators_headers_and_lines_of_units_are_found() {
     assert_eq!(survey(b""), None);
 }
 
+/// What no log has is not looked at: lines and columns beyond the limits of the reader.
+#[test]
+fn lines_and_columns_beyond_the_limits_are_not_looked_at() {
+    let names = "t,lat,lon,alt";
+    let rows = "0,48,11,300\n1,48.0005,11,300\n";
+    let table = |more: usize| format!("{names}{}\n{rows}", ",x".repeat(more));
+    assert!(survey(table(996).as_bytes()).is_some());
+    for more in [997, 30_000, 1_000_000] {
+        assert_eq!(survey(table(more).as_bytes()), None, "{more}");
+    }
+    let long = "1".repeat(70_000);
+    let grid = Grid::of(&format!("{names}\n{rows}2,48.001,11,{long}\n{rows}")).map(|grid| grid.rows.len());
+    assert_eq!(grid, Some(2));
+    assert_eq!(survey(format!("{long}\n{names}\n{rows}").as_bytes()), None);
+}
+
 #[test]
 fn fields_between_blanks_are_found() {
     for table in [
