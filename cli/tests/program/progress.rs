@@ -7,7 +7,12 @@ use crate::support::{folder, run};
 fn on_a_terminal(folder: &std::path::Path, arguments: &str) -> String {
     let order = format!("'{}' {arguments}", env!("CARGO_BIN_EXE_sins"));
     let mut terminal = Command::new("script");
-    terminal.args(["-qec", &order, "/dev/null"]).current_dir(folder).stdin(Stdio::null());
+    // Without a kind of terminal no line is drawn.
+    terminal
+        .args(["-qec", &order, "/dev/null"])
+        .env("TERM", "xterm")
+        .current_dir(folder)
+        .stdin(Stdio::null());
     let output = terminal.output().unwrap();
     assert!(output.status.success(), "{order}");
     String::from_utf8_lossy(&output.stdout).into_owned()
