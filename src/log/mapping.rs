@@ -53,13 +53,12 @@ pub enum Separator {
 
 impl Separator {
     /// Words of a scene.
-    pub const WORDS: [(&str, Self); 6] = [
+    pub const WORDS: [(&str, Self); 5] = [
         ("comma", Self::Comma),
         ("semicolon", Self::Semicolon),
         ("tab", Self::Tab),
         ("bar", Self::Bar),
         ("blanks", Self::Blanks),
-        (";", Self::Semicolon),
     ];
 
     pub(super) fn byte(self) -> u8 {

@@ -257,9 +257,9 @@ mod tests {
     }
 
     #[test]
-    fn names_in_a_later_line_are_pointed_at_and_a_semicolon_is_a_separator() {
+    fn names_in_a_later_line_are_pointed_at() {
         let table = "Messung 7\nUhrzeit;Breite;Lon\n0;47;8\n1;47,01;8\n";
-        let keys = format!("separator = \";\"\n{KEYS}");
+        let keys = format!("separator = \"semicolon\"\n{KEYS}");
         let Err(LogError::Fault(fault)) = read(&keys, table) else { panic!() };
         assert!(fault.sentence.contains("no column Uhrzeit"), "{fault:?}");
         assert!(fault.sentence.ends_with("line 2 has them: is it header = 2?"), "{fault:?}");
