@@ -194,7 +194,7 @@ class Flights(unittest.TestCase):
             self.assertGreater(len(drawn.getvalue()), 10_000)
             self.assertEqual(len(figure.axes), 3)
         self.assertIn("m off at the end", repr(run))
-        self.assertIn("cockpit.csv': 398.38 s, ", repr(sins.fly(SCENES / "cockpit.toml")))
+        self.assertIn("cockpit.csv': 394.38 s, ", repr(sins.fly(SCENES / "cockpit.toml")))
 
     def test_the_import_is_light(self):
         code = "import sins, sys; print(sorted({'numpy', 'ctypes', 'pandas', 'matplotlib'} & set(sys.modules)), dir(sins))"

@@ -161,7 +161,7 @@ fn a_full_disk_keeps_the_records_beside_the_rows_of_a_log() {
         result(&Command::new("sh").args(["-c", &script]).current_dir(&folder).output().unwrap());
     assert!(code == 1 && errors.contains("c_rows.csv: cannot be written"), "{errors}");
     assert!(whole_rows(&folder.join("sins_out/c_rows.csv")) > 100);
-    // A record each 100 s of 398 s, with the first and the last.
+    // A record each 100 s of 394 s, with the first and the last.
     assert_eq!(whole_rows(&folder.join("sins_out/c.csv")), 5);
     assert!(folder.join("sins_out/c_summary.csv").exists());
 }
