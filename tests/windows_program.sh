@@ -19,18 +19,29 @@ given() {
     local work=$PWD/target/windows/program
     mkdir -p "$work"
     [ "$1" = x86_64 ] || fetch_screen32 # without fonts wine prints warnings
-    # Once in some 2000 starts wine itself dies of a signal, which no program of Windows can; then it starts again.
+    # Once in some 2000 starts wine itself dies, of a signal, which no program of Windows can, or because its server ended between two
+    # of its words to it, which it says; then it starts again.
     cat >"$work/sins" <<SH
 #!/bin/sh
-"$wine" "$(realpath "$2")" "\$@"
+errors="$work/errors.\$\$"
+"$wine" "$(realpath "$2")" "\$@" 2>"\$errors"
 status=\$?
-[ \$status -lt 128 ] || { echo >>"$work/died"; exec "$wine" "$(realpath "$2")" "\$@"; }
+if [ \$status -ge 128 ] || grep -q '^wine client error' "\$errors"; then
+    echo >>"$work/died"
+    rm "\$errors"
+    exec "$wine" "$(realpath "$2")" "\$@"
+fi
+cat "\$errors" >&2
+rm "\$errors"
 exit \$status
 SH
     : >"$work/died"
     chmod +x "$work/sins"
     export LC_ALL=C.UTF-8 # for the command line in wine
-    "$WINESERVER" -p60 >/dev/null 2>&1 || true # one server for all programs; fails if a server already runs
+    # One server for all programs. One that still runs from before would end when it has been idle for seconds, under a program that
+    # just starts: that end is awaited first.
+    timeout 120 "$WINESERVER" -w || true
+    "$WINESERVER" -p60 >/dev/null 2>&1
     "$work/sins" --version
     SINS_PROGRAM=$work/sins cargo test --workspace --test program -- $tests --include-ignored \
         --skip a_closed_pipe --skip nodes_and_links --skip pipes_and_standard_input --skip a_log_that_is_redirected
