@@ -42,6 +42,7 @@ impl Clock {
     pub fn expected(&self) -> &'static str {
         match self.format {
             TimeFormat::Hms => "hh:mm:ss",
+            TimeFormat::Mmss => "mm:ss",
             TimeFormat::Iso => "a date and a time, as 2024-05-01T12:30:00Z",
             TimeFormat::Dmy => "a date and a time, as 31.05.2024 12:30:00",
             TimeFormat::Mdy => "a date and a time, as 05/31/2024 12:30:00",
@@ -55,8 +56,9 @@ impl Clock {
         match self.format {
             TimeFormat::Number => of_number(text),
             TimeFormat::Row => Some((self.rows - 1) as f64 / self.rate_hz),
+            TimeFormat::Mmss => stopwatch(text),
             TimeFormat::Hms => {
-                let time_s = time_of_day(text)?;
+                let time_s = time_of_day(without_zone(text))?;
                 if time_s < self.last_s - 0.5 * DAY_S {
                     self.days += 1.0;
                 }
@@ -95,7 +97,11 @@ fn time_of_day(text: &str) -> Option<f64> {
         return Some(if half.eq_ignore_ascii_case("pm") { hour + 0.5 * DAY_S } else { hour });
     }
     let parts: Vec<&str> = match text.split(':').collect::<Vec<_>>().as_slice() {
-        [whole] if whole.len() >= 6 && whole.is_ascii() => vec![&whole[..2], &whole[2..4], &whole[4..]],
+        [whole] if whole.is_ascii() => match whole.find('.').unwrap_or(whole.len()) {
+            // A number has no zeros before it.
+            hours @ (5 | 6) => vec![&whole[..hours - 4], &whole[hours - 4..hours - 2], &whole[hours - 2..]],
+            _ => return None,
+        },
         [_] => return None,
         parts if parts.len() <= 3 => parts.to_vec(),
         _ => return None,
@@ -104,6 +110,26 @@ fn time_of_day(text: &str) -> Option<f64> {
     let minutes = digits(parts[1], false)?;
     let seconds = parts.get(2).map_or(Some(0.0), |text| digits(text, true))?;
     (hours < 24.0 && minutes < 60.0 && seconds < 61.0).then_some((hours * 60.0 + minutes) * 60.0 + seconds)
+}
+
+/// Seconds of mm:ss or h:mm:ss.
+fn stopwatch(text: &str) -> Option<f64> {
+    let (minutes, seconds) = text.rsplit_once(':')?;
+    let below_60 = |text, is_last| digits(text, is_last).filter(|number| *number < 60.0);
+    let minutes = match minutes.split_once(':') {
+        Some((hours, minutes)) => 60.0 * digits(hours, false)? + below_60(minutes, false)?,
+        None => digits(minutes, false)?,
+    };
+    Some(60.0 * minutes + below_60(seconds, true)?).filter(|time_s| time_s.is_finite())
+}
+
+/// A time without the name of universal time behind it.
+fn without_zone(text: &str) -> &str {
+    let without = |zone: &str| {
+        let (time, end) = text.split_at_checked(text.len().checked_sub(zone.len())?)?;
+        end.eq_ignore_ascii_case(zone).then_some(time.trim_end())
+    };
+    ["UTC", "GMT", "Z"].into_iter().find_map(without).unwrap_or(text)
 }
 
 /// Day, and the seconds since its midnight, in UTC if an offset is given.
@@ -120,7 +146,7 @@ fn date_and_time(text: &str, format: TimeFormat) -> Option<(i64, f64)> {
     if !(1.0..=9999.0).contains(&year) || !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
         return None;
     }
-    let time = time.trim().trim_end_matches(['Z', 'z']);
+    let time = without_zone(time.trim());
     let (time, offset_s) = match time.rfind(['+', '-']) {
         None => (time, 0.0),
         Some(at) => {
@@ -161,7 +187,7 @@ mod tests {
 
     #[test]
     fn times_of_each_format() {
-        use TimeFormat::{Dmy, Hms, Iso, Mdy, Number, Row};
+        use TimeFormat::{Dmy, Hms, Iso, Mdy, Mmss, Number, Row};
         assert_eq!(times(Number, &["1.5", "x"]), [Some(1.5), None]);
         assert_eq!(times(Row, &["", "7", ""]), [Some(0.0), Some(0.02), Some(0.04)]);
         let over_midnight =
@@ -202,6 +228,12 @@ mod tests {
         let months =
             ["11/28/2026 1:05:09 PM", "11/28/2026 12:00:01 am", "11/29/2026 12:00 PM", "28.11.2026 13:05"];
         assert_eq!(times(Mdy, &months), [Some(47109.0), Some(1.0), Some(1.5 * DAY_S), None]);
+        let zones = ["2026-05-03 09:14:00 UTC", "2026-05-03T09:14:01 gmt", "2026-05-03 09:14:02z"];
+        assert_eq!(times(Iso, &zones), [33240.0, 33241.0, 33242.0].map(Some));
+        assert_eq!(times(Hms, &["09:14:00 UTC", "91401.5", "0914020"]), [Some(33240.0), Some(33241.5), None]);
+        let shown = ["00:59.5", "61:00", "1:01:01", "1:60:00", "1:60", "7", ":5"];
+        let expected = [Some(59.5), Some(3660.0), Some(3661.0), None, None, None, None];
+        assert_eq!(times(Mmss, &shown), expected);
         assert_eq!(times(Hms, &["1:00:00 PM", "13:00:00 PM", "0:10 AM"]), [Some(46800.0), None, None]);
     }
 }

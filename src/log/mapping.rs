@@ -11,7 +11,7 @@ pub enum TimeFormat {
     /// A number, in seconds or the unit of the column.
     #[default]
     Number,
-    /// hh:mm:ss or hhmmss, with decimals; a day is added at midnight.
+    /// hh:mm:ss or hhmmss, with decimals; a day is added at midnight. A number may lack its first zero: 91459.
     Hms,
     /// Date and time in ISO 8601, year, month and day also between slashes or points. Times count from the midnight before the first row.
     Iso,
@@ -19,20 +19,28 @@ pub enum TimeFormat {
     Dmy,
     /// Month, day and year, and a time; otherwise as ISO 8601.
     Mdy,
+    /// mm:ss or h:mm:ss, with decimals, as a stopwatch shows them.
+    Mmss,
     /// Not at all: the rows have a rate.
     Row,
 }
 
 impl TimeFormat {
     /// Words of a scene.
-    pub const WORDS: [(&str, Self); 6] = [
+    pub const WORDS: [(&str, Self); 7] = [
         ("s", Self::Number),
         ("hms", Self::Hms),
         ("iso", Self::Iso),
         ("row", Self::Row),
         ("dmy", Self::Dmy),
         ("mdy", Self::Mdy),
+        ("mmss", Self::Mmss),
     ];
+
+    /// Its word of a scene.
+    pub(super) fn word(self) -> &'static str {
+        Self::WORDS.iter().find(|(_, format)| *format == self).map_or("", |(word, _)| word)
+    }
 }
 
 /// What separates fields. Where it is no comma, decimals may follow one.

@@ -2,6 +2,7 @@
 
 mod attitude;
 mod evidence;
+mod formats;
 mod motion;
 mod position;
 mod quaternion;
@@ -79,8 +80,9 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     let Some(grid) = Grid::of(&table) else { return nameless(&table) };
     let known = known(&grid.names);
     let (places, keys, doubts, questions) = Default::default();
+    let (open_time, is_attitude_asked, reading) = (None, false, 0);
     let mut draft =
-        Draft { grid: &grid, places, keys, doubts, questions, is_attitude_asked: false, reading: 0 };
+        Draft { grid: &grid, places, keys, doubts, questions, open_time, is_attitude_asked, reading };
     match known {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
@@ -117,6 +119,8 @@ struct Draft<'g> {
     keys: Vec<(&'static str, String)>,
     doubts: Vec<String>,
     questions: Vec<Question>,
+    /// The column of the time, if its meaning is to be asked, and the question.
+    open_time: Option<(usize, String)>,
     is_attitude_asked: bool,
     /// How the position is read, by its place in the readings.
     reading: usize,
@@ -335,9 +339,6 @@ impl Draft<'_> {
             };
             self.doubt(format!("left out: {}; {why}", found.join(", ")));
         }
-        if self.value("time").is_none() && self.place("time").is_none() {
-            self.ask_for_time();
-        }
         for key in ["latitude", "longitude"] {
             if self.place(key).is_none() {
                 self.ask_for_column(key);
@@ -351,6 +352,11 @@ impl Draft<'_> {
         let is_slow = self.rate_hz().is_some_and(|rate| rate < SLOW_HZ);
         if self.value("smooth").is_none() && (is_slow || self.value("attitude").is_some()) {
             self.set("smooth", "\"auto\"");
+        }
+        match self.open_time.take() {
+            Some((place, sentence)) => self.ask_what_time(place, sentence),
+            None if self.place("time").is_none() && self.value("time").is_none() => self.ask_for_time(),
+            None => {}
         }
     }
 
@@ -377,13 +383,8 @@ impl Draft<'_> {
 
     /// The mean rate of the rows.
     fn rate_hz(&self) -> Option<f64> {
-        let place = self.place("time")?;
-        let mut clock = clock(self.format_of_time());
-        let times =
-            self.grid.cells(place).filter_map(|cell| clock.next(&self.grid.separator.with_point(cell)));
-        let times: Vec<f64> = times.collect();
-        let [first, .., last] = times[..] else { return None };
-        Some((times.len() - 1) as f64 / ((last - first) * self.time_si())).filter(|rate| *rate > 0.0)
+        let place = self.place("time").filter(|_| self.open_time.is_none())?;
+        Some(self.rate_over(place, self.format_of_time())? / self.time_si())
     }
 
     /// The place of the column of a quantity.
@@ -411,5 +412,7 @@ fn largest(values: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod conventions;
+#[cfg(test)]
+mod stamps;
 #[cfg(test)]
 pub mod tests;

@@ -48,7 +48,7 @@ pub fn errors(samples: &[FlightSample], rows: &[Row]) -> (f64, f64) {
 }
 
 /// The survey asks, and what it writes flies nothing.
-fn assert_asks(table: &str, words: &str) -> Survey {
+pub fn assert_asks(table: &str, words: &str) -> Survey {
     let (found, samples) = look(table);
     let asked = |question: &Question| {
         question.sentence.contains(words) || question.answers.iter().any(|answer| answer.contains(words))
@@ -59,7 +59,7 @@ fn assert_asks(table: &str, words: &str) -> Survey {
 }
 
 /// The table that `row` prints.
-fn table(names: &str, rows: &[Row], row: impl Fn(usize, &Row) -> String) -> String {
+pub fn table(names: &str, rows: &[Row], row: impl Fn(usize, &Row) -> String) -> String {
     let rows = rows.iter().enumerate().map(|(index, values)| row(index, values) + "\n");
     format!("{names}\n{}", rows.collect::<String>())
 }
@@ -200,7 +200,7 @@ fn a_position_in_any_unit_is_found_by_speed_and_course_and_otherwise_asked_about
     assert_asks(&text, "lat and lon are no degrees");
 }
 
-fn doubts_of(found: &Survey, words: &str) -> bool {
+pub fn doubts_of(found: &Survey, words: &str) -> bool {
     found.doubts.iter().any(|doubt| doubt.contains(words))
 }
 

@@ -112,6 +112,13 @@ impl Motion {
         Self { is_timed, speed_units, stride: if stride.is_nan() { 1 } else { stride as usize }, rows }
     }
 
+    /// The same with the first row of each time alone: stamps may be coarser than the rows.
+    pub fn by_stamps(self) -> Self {
+        let Self { mut rows, is_timed, speed_units, .. } = self;
+        rows.dedup_by_key(|row| row.time);
+        Self::new(rows, is_timed, speed_units)
+    }
+
     /// The place of a row; `None`: it is none on the Earth.
     fn place(&self, row: &Row, reading: &Reading, is_exchanged: bool) -> Option<[f64; 2]> {
         let (latitude, longitude) =

@@ -4,13 +4,16 @@ use super::super::TimeFormat;
 use super::super::guess::Guess;
 use super::super::quantity::{Dimension, unit_of};
 use super::motion::{Motion, READINGS, alone, median};
-use super::{Draft, Question, clock};
+use super::{Draft, Question, SLOW_HZ, clock};
 use crate::base::records::rounded;
 use crate::base::text::excerpt;
 
 /// Speeds over ground of vehicles \[m/s\], and rates of logs \[Hz\].
 pub const SPEEDS: core::ops::RangeInclusive<f64> = 0.3..=1000.0;
 const RATES: core::ops::RangeInclusive<f64> = 0.01..=2000.0;
+
+/// Ratios of the speed of the positions to that of the table that another unit of the speed may have: another unit of the time has not.
+pub const MATCHES: core::ops::RangeInclusive<f64> = 0.1..=5.0;
 
 /// The units of times, with what a column says of them.
 const UNITS: [(&str, &str, f64); 5] = [
@@ -32,24 +35,6 @@ const REGULAR: f64 = 0.3;
 const NEARLY: f64 = 0.9;
 
 impl Draft<'_> {
-    /// The format of the times in a column; `None`: none of them reads its first cell.
-    fn time_format(&self, place: usize) -> Option<TimeFormat> {
-        let separator = self.grid.separator;
-        let is_read = |cell: &str, format| clock(format).next(&separator.with_point(cell)).is_some();
-        let first = self.grid.cells(place).next()?;
-        let formats =
-            [TimeFormat::Number, TimeFormat::Iso, TimeFormat::Dmy, TimeFormat::Mdy, TimeFormat::Hms];
-        let format = formats.into_iter().find(|format| is_read(first, *format))?;
-        if matches!(format, TimeFormat::Dmy | TimeFormat::Mdy) {
-            let reads_alone =
-                |one, other| self.grid.cells(place).any(|cell| is_read(cell, one) && !is_read(cell, other));
-            let is_month_first = !reads_alone(TimeFormat::Dmy, TimeFormat::Mdy)
-                && reads_alone(TimeFormat::Mdy, TimeFormat::Dmy);
-            return Some(if is_month_first { TimeFormat::Mdy } else { TimeFormat::Dmy });
-        }
-        (format != TimeFormat::Hms || first.contains(':')).then_some(format)
-    }
-
     /// Number of rows whose cell differs from the one before.
     fn changes(&self, place: usize) -> usize {
         let mut last = None;
@@ -60,20 +45,21 @@ impl Draft<'_> {
     /// without a name is one too, as the index of a table.
     pub(super) fn times(&mut self, named: &[(Guess, usize)]) {
         let nameless = |(place, name): (usize, &str)| {
-            let is_date = || matches!(self.time_format(place), Some(TimeFormat::Iso));
+            let is_date = || matches!(self.time_formats(place)[..], [TimeFormat::Iso]);
             (name.is_empty() && is_date()).then_some((place, ""))
         };
         let nameless: Vec<_> = self.grid.names.iter().enumerate().filter_map(nameless).collect();
         let named = named.iter().map(|(guess, place)| (*place, guess.unit));
-        let all: Vec<(usize, &str, TimeFormat)> = named
+        let mut all: Vec<(usize, &str, Vec<TimeFormat>)> = named
             .clone()
             .chain(nameless)
-            .filter_map(|(place, unit)| Some((place, unit, self.time_format(place)?)))
+            .map(|(place, unit)| (place, unit, self.time_formats(place)))
             .collect();
+        all.retain(|(.., formats)| !formats.is_empty());
         let most = all.iter().map(|(place, ..)| self.changes(*place)).max().unwrap_or(0);
         let is_fine = |place: usize| self.changes(place) as f64 >= NEARLY * most as f64;
-        let best = all.iter().find(|(place, ..)| is_fine(*place)).copied();
-        let Some((place, unit, format)) = best else {
+        let best = all.iter().position(|(place, ..)| is_fine(*place));
+        let Some((place, unit, formats)) = best.map(|best| all.swap_remove(best)) else {
             for (place, _) in named {
                 let first = self.grid.cells(place).next().map_or("nothing".to_owned(), excerpt);
                 let name = excerpt(&self.grid.names[place]);
@@ -90,14 +76,34 @@ impl Draft<'_> {
             ));
         }
         self.add_place("time", place, unit);
-        self.time(place, unit, format);
+        self.time(place, unit, &formats);
     }
 
     /// The keys of the time in a column.
-    fn time(&mut self, place: usize, unit: &str, format: TimeFormat) {
+    fn time(&mut self, place: usize, unit: &str, formats: &[TimeFormat]) {
         let grid = self.grid;
         let name = excerpt(&grid.names[place]);
+        let is_open = formats.len() > 1 && (unit.is_empty() || formats[0] != TimeFormat::Number);
+        let fitting: Vec<TimeFormat> =
+            formats.iter().copied().filter(|format| self.agrees(place, *format) == Some(true)).collect();
+        let format = match (formats, &fitting[..]) {
+            (_, [only]) if is_open => *only,
+            _ if is_open => {
+                let sentence = format!("{name} has times that can be read in several ways");
+                return self.open_time = Some((place, sentence));
+            }
+            ([first, ..], _) => *first,
+            _ => return,
+        };
         if format != TimeFormat::Number {
+            if self.agrees(place, format) == Some(false) {
+                return self.open_time = Some((place, contradicts(&name)));
+            }
+            if is_open {
+                self.doubt(format!("{name} is taken as {}: so it has the speed of the table", format.word()));
+            } else if self.has_numbers(place) {
+                self.doubt(format!("{name} is taken as hours, minutes and seconds, hhmmss"));
+            }
             let is_read = |cell: &str, format| clock(format).next(&grid.separator.with_point(cell)).is_some();
             let is_sure = || {
                 let is_day = |cell| is_read(cell, TimeFormat::Dmy) && !is_read(cell, TimeFormat::Mdy);
@@ -108,10 +114,8 @@ impl Draft<'_> {
                     "{name} is taken as day, month, year: no day is above 12; otherwise time_format = \"mdy\""
                 ));
             }
-            let word =
-                TimeFormat::WORDS.iter().find(|(_, known)| *known == format).map_or("", |(word, _)| word);
             self.set("time", self.column(place, ""));
-            return self.set("time_format", format!("\"{word}\""));
+            return self.set("time_format", format!("\"{}\"", format.word()));
         }
         let in_cell = || grid.cells(place).next().is_some_and(|cell| cell.ends_with('s')).then_some("s");
         let stated = Some(unit)
@@ -151,11 +155,8 @@ impl Draft<'_> {
             };
             let ratio = motion.fit(degrees, false, si).ratio;
             // A speed in another unit is not one of another time.
-            if ratio.is_some_and(|ratio| !(0.1..=5.0).contains(&ratio)) {
-                let sentence =
-                    format!("{name} has no unit with which the positions have the speed of the table");
-                let answers = self.readings_of_time(place);
-                self.ask(Question { sentence, answers });
+            if ratio.is_some_and(|ratio| !MATCHES.contains(&ratio)) {
+                self.open_time = Some((place, contradicts(&name)));
                 return None;
             }
             if unit != "s" {
@@ -182,7 +183,7 @@ impl Draft<'_> {
     }
 
     /// What the numbers of a column would mean as times, a line of `[log]` for each unit that gives a log and a vehicle.
-    fn readings_of_time(&self, place: usize) -> Vec<String> {
+    fn units_of_time(&self, place: usize) -> Vec<String> {
         let times = self.grid.numbers(place);
         let steps = || times.windows(2).map(|two| two[1] - two[0]);
         let [Some(first), Some(last)] = [times.first(), times.last()] else { return Vec::new() };
@@ -203,9 +204,47 @@ impl Draft<'_> {
                 return None;
             }
             let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s over ground"));
-            Some(format!("time = {}  # {} Hz{speed}", self.column(place, part), rounded(rate_hz, 4)))
+            let answer = format!("time = {}  # {} Hz{speed}", self.column(place, part), rounded(rate_hz, 4));
+            Some(self.with_smoothing(answer, rate_hz))
         };
         UNITS.into_iter().filter_map(answer).collect()
+    }
+
+    /// What a column would mean as one of times, lines of `[log]` for each way to read it.
+    fn readings_of_time(&self, place: usize) -> Vec<String> {
+        let of_format = |format: TimeFormat| match format {
+            TimeFormat::Number => self.units_of_time(place),
+            _ => vec![self.reading_of_format(place, format)],
+        };
+        self.time_formats(place).into_iter().flat_map(of_format).collect()
+    }
+
+    fn reading_of_format(&self, place: usize, format: TimeFormat) -> String {
+        let first = self.grid.cells(place).next().map_or(String::new(), excerpt);
+        let rate_hz = self.rate_over(place, format);
+        let rate = rate_hz.map_or(String::new(), |rate_hz| format!(", {} Hz", rounded(rate_hz, 4)));
+        let motion = self.motion_over(Some((place, format)));
+        let speed = motion.and_then(|motion| motion.by_stamps().speed(&READINGS[0], false, 1.0));
+        let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s over ground"));
+        let (column, word) = (self.column(place, ""), format.word());
+        let answer = format!("time = {column}\ntime_format = \"{word}\"  # begins at {first}{rate}{speed}");
+        self.with_smoothing(answer, rate_hz.unwrap_or(f64::INFINITY))
+    }
+
+    /// An answer about the time with the line that smooths rows of a slow rate, which the text cannot have before.
+    fn with_smoothing(&self, answer: String, rate_hz: f64) -> String {
+        let is_to_smooth = rate_hz < SLOW_HZ && self.value("smooth").is_none();
+        if is_to_smooth { answer + "\nsmooth = \"auto\"" } else { answer }
+    }
+
+    /// Asks what a column of times means.
+    pub(super) fn ask_what_time(&mut self, place: usize, sentence: String) {
+        let mut answers = self.readings_of_time(place);
+        if answers.is_empty() {
+            answers.push(format!("time = {}", self.column(place, "")));
+        }
+        self.remove("time_format");
+        self.ask(Question { sentence, answers });
     }
 
     /// Asks for the time of a table in which no column is understood as one: a row is never a second.
@@ -214,36 +253,34 @@ impl Draft<'_> {
         let mut answers = Vec::new();
         let mut columns = 0;
         for place in (0..self.grid.names.len()).filter(|place| !is_other(place)) {
-            let found = match self.time_format(place) {
-                Some(TimeFormat::Number) => self.readings_of_time(place),
-                Some(format) => {
-                    let word = TimeFormat::WORDS.iter().find(|(_, known)| *known == format);
-                    let (word, _) = word.unwrap_or(&TimeFormat::WORDS[0]);
-                    let first = self.grid.cells(place).next().map_or(String::new(), excerpt);
-                    let column = self.column(place, "");
-                    vec![format!("time = {column}\ntime_format = \"{word}\"  # begins at {first}")]
-                }
-                None => Vec::new(),
-            };
-            if !found.is_empty() && columns < MOST {
-                columns += 1;
-                answers.extend(found);
+            if columns == MOST {
+                break;
             }
+            let found = self.readings_of_time(place);
+            columns += usize::from(!found.is_empty());
+            answers.extend(found);
         }
         let motion = self.motion_over(None);
         let rate_hz = motion.and_then(|motion| {
             let [unit] = motion.speed_units[..] else { return None };
             motion.fit(&READINGS[0], false, 1.0).ratio.map(|ratio| unit / ratio)
         });
-        let rate = match rate_hz.filter(|rate| RATES.contains(rate)) {
+        let rate_hz = rate_hz.filter(|rate| RATES.contains(rate));
+        let rate = match rate_hz {
             Some(rate_hz) => format!("{:.1}  # by the speed of the table", rate_hz),
             None => "RATE  # the rate of the rows in Hz, if no column has their times".to_owned(),
         };
-        answers.push(format!("time_format = \"row\"\nrate_hz = {rate}"));
+        let answer = format!("time_format = \"row\"\nrate_hz = {rate}");
+        answers.push(self.with_smoothing(answer, rate_hz.unwrap_or(f64::INFINITY)));
         let sentence = "no column is understood as the time".to_owned();
         self.remove("time_format");
         self.ask(Question { sentence, answers });
     }
+}
+
+/// The sentence about times that contradict the speed of the table.
+fn contradicts(name: &str) -> String {
+    format!("{name} has no unit with which the positions have the speed of the table")
 }
 
 /// The unit of times with which the positions agree with the speed of the table, alone.

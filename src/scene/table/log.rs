@@ -59,7 +59,7 @@ pub const FORMAT: &[Key] = &[
     text(L, "only", "3c6444", "cell of only_column in the rows that are read", |d| &mut d.scene.log.only),
     number!(L, N, "missing", si(""), "number that stands for a missing value; a row with one is left out",
         "log.missing" in (-ANY, ANY) => one(log_missing)),
-    choice!(L, "time_format", "how times are written: a number, hh:mm:ss, ISO 8601, day or month before the year (dmy, mdy), or not at all", "log.time_format" => scene.log.time_format, TimeFormat::WORDS),
+    choice!(L, "time_format", "how times are written: a number, hh:mm:ss, mm:ss, ISO 8601, day or month before the year (dmy, mdy), or not at all", "log.time_format" => scene.log.time_format, TimeFormat::WORDS),
     number!(L, N, "rate_hz", si("Hz"), "rate of rows without times",
         "log.rate_hz" in (1e-3, 2e4) => one(log_rate_hz)),
     choice!(L, "track_is", "north of the track; the variation is added to a magnetic one",

@@ -1,0 +1,127 @@
+//! Times that look like others: clocks without colons, stopwatches, and times that contradict a speed.
+
+use super::conventions::{Row, assert_asks, doubts_of, errors, flight, look, table};
+
+fn place(row: &Row) -> String {
+    format!("{:.9},{:.9},{:.3}", row[1], row[2], row[3])
+}
+
+/// hhmmss.ss of a time that begins at this second of a day.
+fn face(second: f64) -> String {
+    let minutes = (second / 60.0) as u32;
+    format!("{:02}{:02}{:05.2}", minutes / 60, minutes % 60, second % 60.0)
+}
+
+#[test]
+fn hours_minutes_and_seconds_without_colons_are_no_seconds() {
+    let rows = flight(47.3, 8.4);
+    // Over the ends of a minute, of an hour, and with the first zero lost.
+    for (name, begin) in [("utc", 33294.0), ("time", 33294.0), ("Time", 35990.0), ("time (s)", 43190.0)] {
+        for end in ["", ",velocity east (m/s),velocity north (m/s),velocity up (m/s)"] {
+            let velocity = if end.is_empty() { "" } else { ",20,30,0" };
+            let text = table(&format!("{name},lat,lon,alt{end}"), &rows, |_, row| {
+                let cell = face(begin + row[0]);
+                format!("{},{}{velocity}", cell.strip_prefix('0').unwrap_or(&cell), place(row))
+            });
+            let (found, samples) = look(&text);
+            let (distance, late) =
+                errors(&samples.unwrap_or_else(|error| panic!("{error:?} {found:?}")), &rows);
+            assert!(distance < 0.01 && late < 1e-6, "{name}: {distance} m, {late} s: {found:?}");
+            assert!(doubts_of(&found, "hhmmss"), "{found:?}");
+        }
+    }
+    // Within a minute a name may say it; otherwise nothing does.
+    let text = |name: &str, begin: f64| {
+        table(&format!("{name},lat,lon,alt"), &rows[..200], |_, row| {
+            format!("{},{}", face(begin + row[0]), place(row))
+        })
+    };
+    let (found, samples) = look(&text("UTC time", 33240.0));
+    assert!(errors(&samples.unwrap(), &rows[..200]).1 < 1e-6 && found.text.contains("hms"), "{found:?}");
+    let found = assert_asks(
+        &text("time", 33240.0),
+        "time = \"time\"\ntime_format = \"hms\"  # begins at 091400.00, 5 Hz",
+    );
+    assert!(
+        found.questions[0].answers.iter().any(|answer| answer.starts_with("time = \"time\"  # 5 Hz")),
+        "{found:?}"
+    );
+    // Seconds of a week and a day have other digits.
+    for begin in [345_600.0, 86_380.0, 0.0] {
+        let text = table("time,lat,lon,alt", &rows, |_, row| format!("{:.2},{}", begin + row[0], place(row)));
+        let (found, samples) = look(&text);
+        assert!(
+            errors(&samples.unwrap(), &rows).1 < 1e-6 && !found.text.contains("hms"),
+            "{begin}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn a_stopwatch_is_told_from_hours_and_minutes_by_the_speed_or_asked_about() {
+    let rows = flight(47.3, 8.4);
+    let shown = |time: f64| format!("{:02}:{:02}", (time / 60.0) as u32, (time % 60.0).round() as u32);
+    // A row each second, and a row each minute.
+    let seconds: Vec<Row> = rows.iter().copied().step_by(5).collect();
+    let minutes: Vec<Row> =
+        rows.iter().map(|row| [row[0] * 300.0, row[1], row[2], row[3], row[4] / 300.0, row[5]]).collect();
+    for (rows, size, format) in [(&seconds, 1.0, "mmss"), (&minutes, 60.0, "hms")] {
+        let text =
+            table("elapsed,lat,lon,alt", rows, |_, row| format!("{},{}", shown(row[0] / size), place(row)));
+        for answer in ["\"mmss\"  # begins at 00:00, 1 Hz", "\"hms\"  # begins at 00:00, 0.01667 Hz"] {
+            assert_asks(&text, answer);
+        }
+        let text = table("elapsed,lat,lon,alt,speed (m/s)", rows, |_, row| {
+            format!("{},{},{:.4}", shown(row[0] / size), place(row), row[4])
+        });
+        let (found, samples) = look(&text);
+        assert!(found.text.contains(&format!("time_format = \"{format}\"")), "{found:?}");
+        assert!(errors(&samples.unwrap(), rows).1 < 1e-6, "{found:?}");
+    }
+    // Seconds with decimals, and hours before the minutes, are sure.
+    for cell in [
+        (|time| format!("{:02}:{:04.1}", 7 + (time / 60.0) as u32, time % 60.0)) as fn(f64) -> String,
+        |time| format!("1:{:02}:{:04.1}", (time / 60.0) as u32, time % 60.0),
+    ] {
+        let text = table("elapsed,lat,lon,alt", &rows, |_, row| format!("{},{}", cell(row[0]), place(row)));
+        let (found, samples) = look(&text);
+        assert!(errors(&samples.unwrap(), &rows).1 < 1e-6, "{found:?}");
+    }
+}
+
+#[test]
+fn dates_that_contradict_the_speed_are_asked_about() {
+    let rows: Vec<Row> = flight(47.3, 8.4).into_iter().step_by(10).collect();
+    for (step, is_asked) in [(2, false), (120, true)] {
+        let text = table("Date,lat,lon,alt,speed (m/s)", &rows, |index, row| {
+            let second = index * step;
+            let time = format!("{:02}:{:02}:{:02} UTC", 9 + second / 3600, second / 60 % 60, second % 60);
+            format!("2026-05-03 {time},{},{}", place(row), row[4])
+        });
+        if is_asked {
+            assert_asks(&text, "has no unit with which the positions have the speed");
+        } else {
+            assert!(errors(&look(&text).1.unwrap(), &rows).1 < 1e-6);
+        }
+    }
+    // Stamps of whole seconds at 5 Hz are no contradiction.
+    let rows = flight(47.3, 8.4);
+    let text = table("Date,lat,lon,alt,speed (m/s)", &rows, |_, row| {
+        format!("2026-05-03 09:00:{:02},{},{}", row[0] as u32, place(row), row[4])
+    });
+    assert!(look(&text).0.questions.is_empty());
+}
+
+#[test]
+fn an_answer_about_the_time_of_slow_rows_smooths_them() {
+    let rows = flight(47.3, 8.4);
+    for (step, is_slow) in [(0.2, true), (0.02, false)] {
+        let text = table("Moment,lat,lon,alt,roll (deg),pitch (deg),yaw (deg)", &rows, |index, row| {
+            format!("{:.2},{},0,0,{}", index as f64 * step, place(row), row[5])
+        });
+        let found = assert_asks(&text, "time = \"Moment\"");
+        let answer = found.questions[0].answers.iter().find(|answer| answer.starts_with("time = \"Moment\""));
+        assert_eq!(answer.unwrap().ends_with("\nsmooth = \"auto\""), is_slow, "{found:?}");
+        assert!(!found.text.contains("smooth"), "{found:?}");
+    }
+}
