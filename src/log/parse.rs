@@ -256,6 +256,26 @@ mod tests {
         assert_eq!(log.notes()[0].sentence, "2 rows are left out, the first here: a value is missing");
     }
 
+    /// A quote that is never closed would swallow the rows behind it.
+    #[test]
+    fn a_row_of_several_lines_is_refused_at_its_line() {
+        let rows = "0,47,8,\"a, b\"\n\n1,47.01,8.01,c\n# note\n2,47.02,8.02,\"d\"\n";
+        assert_eq!(read(KEYS, &format!("Uhrzeit,Breite,Lon,n\n{rows}")).unwrap().samples().len(), 3);
+        for (from, to, line) in [
+            (",c\n", ",\"c\n", 4),
+            (",\"a, b\"", ",\"a, b", 2),
+            (",\"a, b\"", ",\"a\nb\"", 2),
+            ("1,47.01", "1,\"47.01", 4),
+        ] {
+            for end in ["\n", "\r\n"] {
+                let table = format!("Uhrzeit,Breite,Lon,n\n{}", rows.replace(from, to)).replace('\n', end);
+                let Err(LogError::Fault(fault)) = read(KEYS, &table) else { panic!("{table}") };
+                assert_eq!(fault.line, line, "{table}: {fault:?}");
+                assert!(fault.sentence.starts_with("a row goes on in the next line"), "{fault:?}");
+            }
+        }
+    }
+
     #[test]
     fn names_in_a_later_line_are_pointed_at() {
         let table = "Messung 7\nUhrzeit;Breite;Lon\n0;47;8\n1;47,01;8\n";

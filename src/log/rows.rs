@@ -119,14 +119,22 @@ pub fn next_row(
     row: &mut StringRecord,
 ) -> Result<Option<u64>, LogError> {
     let before = reader.position().clone();
-    let line = || {
-        // The reader's position is that before the empty lines and comments that it passes over.
-        let rest = text.get(before.byte() as usize..).unwrap_or_default();
+    let rest = text.get(before.byte() as usize..).unwrap_or_default();
+    // The reader's position is that before the empty lines and comments that it passes over.
+    let skipped = || {
         let is_skipped = |line: &&[u8]| line.starts_with(&[comment]) || matches!(*line, b"" | b"\r");
-        before.line() + rest.split(|byte| *byte == b'\n').take_while(is_skipped).count() as u64
+        rest.split(|byte| *byte == b'\n').take_while(is_skipped)
     };
+    let line = || before.line() + skipped().count() as u64;
     match reader.read_record(row) {
         Ok(true) => {
+            let begin: usize = skipped().map(|line| line.len() + 1).sum();
+            let end = (reader.position().byte() - before.byte()) as usize;
+            let record = rest.get(begin..end).unwrap_or_default().trim_ascii_end();
+            if record.contains(&b'\n') {
+                let sentence = "a row goes on in the next line: is the closing quote of a field missing?";
+                return Err(fault(line(), 1, sentence.to_owned()));
+            }
             *row = unquoted(core::mem::take(row));
             Ok(Some(line()))
         }
