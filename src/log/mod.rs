@@ -15,6 +15,7 @@ mod hemisphere;
 mod joined;
 mod known;
 mod mapping;
+mod marks;
 mod nameless;
 mod parse;
 mod quantity;

@@ -1,6 +1,7 @@
 //! A log while its rows are read.
 
 use super::columns::Columns;
+use super::marks::DecimalMarks;
 use super::rows::{Cells, Table};
 use super::{Clock, FlightLog, LogError, LogMapping, fault};
 use crate::base::memory::room_for_one_more;
@@ -36,7 +37,8 @@ impl<'m> Reading<'m> {
             smoothing: mapping.smoothing(),
         };
         let is_mapped = mapping.is_foreign();
-        let table = Table { columns, mapping, is_mapped, clock: Clock::new(mapping) };
+        let (clock, marks) = (Clock::new(mapping), DecimalMarks::new());
+        let table = Table { columns, mapping, is_mapped, clock, marks };
         Self { table, log, left_out: None, others: 0, repeats: 0, late: None }
     }
 
@@ -107,6 +109,7 @@ impl<'m> Reading<'m> {
 
     /// The log, whose last line is `last`.
     pub fn finish(mut self, last: u64) -> Result<FlightLog, LogError> {
+        self.table.marks.check(&self.table.columns)?;
         if let Some((count, line)) = self.left_out {
             let rows = if count == 1 { "row is" } else { "rows are" };
             let sentence = format!("{count} {rows} left out, the first here: a value is missing");

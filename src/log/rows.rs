@@ -8,6 +8,7 @@ use nalgebra::{Quaternion, Vector3};
 use super::clock::Clock;
 use super::columns::{COUNT, Column, Columns, has, has_quaternion};
 use super::hemisphere::{sides, signed};
+use super::marks::DecimalMarks;
 use super::quantity::{
     FORCE, FORWARD, GEOID, LATITUDE, Q0, RATE, ROLL, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY, name,
     quantity_of,
@@ -150,6 +151,7 @@ pub struct Table<'m> {
     /// Whether the log is read by a mapping: cells may then be missing.
     pub is_mapped: bool,
     pub clock: Clock,
+    pub marks: DecimalMarks,
 }
 
 /// The cells of a row.
@@ -191,7 +193,15 @@ impl Table<'_> {
                 }
                 Cells::Texts(row) => {
                     let (mapping, clock) = (self.mapping, is_time.then_some(&mut self.clock));
-                    number_of(row, line, (quantity, column, place), mapping, self.is_mapped, clock)?
+                    let has_marks = mapping.separator != Separator::Comma
+                        && column.part == 0
+                        && clock.as_ref().is_none_or(|clock| clock.is_number());
+                    let number =
+                        number_of(row, line, (quantity, column, place), mapping, self.is_mapped, clock)?;
+                    if let Some(text) = row.get(place).filter(|_| has_marks && number.is_some()) {
+                        self.marks.see(quantity, text, line, place);
+                    }
+                    number
                 }
             };
             let Some(number) = number else {
