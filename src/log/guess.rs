@@ -321,7 +321,7 @@ pub fn unit(cell: &str) -> Option<&'static str> {
 
 /// The words of a name in lower case: they end at marks, where a capital follows a small letter, and before a capital with a small letter
 /// behind it.
-fn words(name: &str) -> Vec<String> {
+pub fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let (mut before, mut letters) = (' ', name.chars().peekable());
     while let Some(letter) = letters.next() {

@@ -6,7 +6,7 @@ use super::rows::number;
 use crate::base::text::excerpt;
 
 /// The letters and the words of a hemisphere, the positive one first.
-type Sides = [[&'static str; 2]; 2];
+pub type Sides = [[&'static str; 2]; 2];
 
 /// The hemispheres of a quantity; `None`: it has none.
 pub fn sides(quantity: usize) -> Option<Sides> {

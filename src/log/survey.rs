@@ -3,6 +3,7 @@
 mod attitude;
 mod evidence;
 mod formats;
+mod letters;
 mod motion;
 mod position;
 mod quaternion;
@@ -10,8 +11,7 @@ mod times;
 mod units;
 
 use super::grid::Grid;
-use super::guess::{Guess, guess, hemisphere_of};
-use super::hemisphere::{sides, sign_of};
+use super::guess::{Guess, guess};
 use super::known::{Key, Known, Value, known};
 use super::nameless::{nameless, rtklib};
 use super::quantity::{Dimension, QUANTITIES, unit_of};
@@ -89,6 +89,8 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     }
     draft.position(known.is_some());
     if known.is_none() {
+        draft.letters();
+        draft.minutes_apart();
         draft.attitude();
         draft.quaternion();
     }
@@ -245,19 +247,6 @@ impl Draft<'_> {
         let of_lines =
             || self.grid.stated(place).find_map(|unit| unit_of(dimension, unit)).map(|(unit, _)| unit);
         Some(of_name).filter(|unit| !unit.is_empty()).or_else(of_lines)
-    }
-
-    /// The column with the letters of the hemisphere of a quantity in column `place`: its name says so, or it stands beside, and its cells
-    /// are letters of hemispheres.
-    fn hemisphere(&self, quantity: usize, place: usize) -> Option<usize> {
-        let sides = sides(quantity)?;
-        let has_letters = |letters: &usize| {
-            let mut cells = self.grid.cells(*letters).peekable();
-            cells.peek().is_some() && cells.all(|cell| sign_of(cell, sides).is_some())
-        };
-        let names = self.grid.names.iter().map(hemisphere_of).enumerate();
-        let of_name = names.filter(|(_, found)| *found == Some(quantity)).map(|(letters, _)| letters);
-        of_name.chain([place + 1]).chain(place.checked_sub(1)).find(has_letters)
     }
 
     /// A column in TOML: its name, or its number if another has the same name or a scene cannot write it.

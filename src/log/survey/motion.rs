@@ -16,7 +16,10 @@ const FINEST: f64 = 5.0;
 
 /// Largest misfit of a speed \[1\] and of a course \[deg\], which may be magnetic.
 const SPEED_FITS: f64 = 0.05;
-const COURSE_FITS_DEG: f64 = 25.0;
+pub const COURSE_FITS_DEG: f64 = 25.0;
+
+/// At rest a step goes on in the direction of the one before by less than this part of it, in the mean of squares.
+const ONWARD: f64 = 0.3;
 
 /// A reading is impossible if more than one in so many rows is nowhere on the Earth.
 const FEWEST_LOST: usize = 100;
@@ -160,6 +163,22 @@ impl Motion {
     /// The median speed over ground, if times are of this unit \[m/s\].
     pub fn speed(&self, reading: &Reading, is_exchanged: bool, time_si: f64) -> Option<f64> {
         median(self.steps(reading, is_exchanged).iter().map(|step| step.way_m / (step.time * time_si)))
+    }
+
+    /// Whether the positions move to and fro, as noise does at rest.
+    pub fn is_at_rest(&self) -> bool {
+        let steps = self.steps(&READINGS[0], false);
+        let steps: Vec<&Step> = steps.iter().filter(|step| step.way_m > 0.0).collect();
+        let along = |two: &[&Step]| two[0].way_m * two[1].way_m * sin_cos(two[1].track - two[0].track).1;
+        let onward: f64 = steps.windows(2).map(along).sum();
+        steps.len() >= PARTS
+            && onward < ONWARD * steps.iter().map(|step| step.way_m * step.way_m).sum::<f64>()
+    }
+
+    /// The mean rate of the rows, if times are of this unit [Hz].
+    pub fn rate_hz(&self, time_si: f64) -> Option<f64> {
+        let [first, .., last] = self.rows[..] else { return None };
+        Some((self.rows.len() - 1) as f64 / ((last.time - first.time) * time_si))
     }
 
     /// The median of the speeds that the column of the speed has, in its unit.

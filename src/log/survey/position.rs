@@ -1,9 +1,13 @@
 //! Positions that are no degrees: the readings that agree with the other columns, and those that are asked about.
 
-use super::motion::{Motion, READINGS, Reading, alone};
+use super::letters::with_part;
+use super::motion::{COURSE_FITS_DEG, Motion, READINGS, Reading, Row, alone};
 use super::times::SPEEDS;
 use super::{Draft, Question};
 use crate::base::text::excerpt;
+
+/// A course that is off by more is one of other signs \[deg\].
+const OPPOSITE_DEG: f64 = 90.0;
 
 impl Draft<'_> {
     /// Looks for the reading of a position that is none in degrees, or contradicts the speed of the table in degrees: one that agrees with
@@ -29,7 +33,12 @@ impl Draft<'_> {
         }
         let is_timed = motion.is_timed && self.value("time").is_some();
         let fit = motion.fit(degrees, false, time_si);
+        let is_opposite = fit.course_deg.is_some_and(|course_deg| course_deg > OPPOSITE_DEG);
+        let has_course = motion.rows.iter().any(|row| row.course.is_finite() && row.course != 0.0);
         if is_possible && !(is_timed && motion.contradicts(&fit)) {
+            if is_opposite && has_course && !motion.is_at_rest() {
+                return self.ask_for_signs(&motion);
+            }
             if let Some(ratio) = fit.ratio.filter(|_| is_timed && motion.misfit(&fit).is_none()) {
                 self.doubt(format!("the positions have {ratio:.3} times the speed of the table in m/s"));
             }
@@ -50,6 +59,7 @@ impl Draft<'_> {
                 let why = format!("{exchanged}: speed and course agree with no other reading");
                 self.take(columns, reading, &why);
             }
+            None if is_possible && is_opposite && has_course => self.ask_for_signs(&motion),
             None if is_possible => {
                 let course_deg = fit.course_deg.unwrap_or(0.0);
                 self.doubt(format!("the positions move {course_deg:.0} deg off the course of the table"));
@@ -83,6 +93,43 @@ impl Draft<'_> {
             value.get(at..)?.strip_suffix(" }")
         });
         self.column(place, &format!("{}{}", reading.part, part.unwrap_or("")))
+    }
+
+    /// Asks for the signs of a position that moves against the course of the table.
+    fn ask_for_signs(&mut self, motion: &Motion) {
+        let [Some(latitude), Some(longitude)] =
+            ["latitude", "longitude"].map(|key| self.value(key).map(str::to_owned))
+        else {
+            return;
+        };
+        let mut answers = Vec::new();
+        for signs in [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
+            let mirrored = |row: &Row| Row {
+                latitude: row.latitude * signs[0],
+                longitude: row.longitude * signs[1],
+                ..*row
+            };
+            let rows = motion.rows.iter().map(mirrored).collect();
+            let fit = Motion::new(rows, motion.is_timed, Vec::new()).fit(&READINGS[0], false, 1.0);
+            if fit.course_deg.is_some_and(|course_deg| course_deg < COURSE_FITS_DEG) {
+                let value = |value: &str, sign: f64| match sign < 0.0 {
+                    true => with_part(value, "sign = -1"),
+                    false => value.to_owned(),
+                };
+                answers.push(format!(
+                    "latitude = {}\nlongitude = {}  # the course of the table agrees",
+                    value(&latitude, signs[0]),
+                    value(&longitude, signs[1])
+                ));
+            }
+        }
+        answers.push(format!("latitude = {latitude}\nlongitude = {longitude}  # the course is another one"));
+        for key in ["latitude", "longitude"] {
+            self.remove(key);
+        }
+        let sentence =
+            "the positions move against the course of the table: are their signs missing?".to_owned();
+        self.ask(Question { sentence, answers });
     }
 
     /// Asks how a position is read, with what each reading would mean.
