@@ -80,9 +80,18 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     let Some(grid) = Grid::of(&table) else { return nameless(&table) };
     let known = known(&grid.names);
     let (places, keys, doubts, questions) = Default::default();
-    let (open_time, is_attitude_asked, reading) = (None, false, 0);
-    let mut draft =
-        Draft { grid: &grid, places, keys, doubts, questions, open_time, is_attitude_asked, reading };
+    let mut draft = Draft {
+        grid: &grid,
+        places,
+        keys,
+        doubts,
+        questions,
+        open_time: None,
+        is_position_open: false,
+        is_attitude_asked: false,
+        reading: 0,
+        without_fix: 0,
+    };
     match known {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
@@ -94,6 +103,7 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
         draft.attitude();
         draft.quaternion();
     }
+    draft.null_rows();
     draft.height();
     draft.only_one();
     draft.complete();
@@ -123,9 +133,13 @@ struct Draft<'g> {
     questions: Vec<Question>,
     /// The column of the time, if its meaning is to be asked, and the question.
     open_time: Option<(usize, String)>,
+    /// Whether the position may be in degrees and in radians.
+    is_position_open: bool,
     is_attitude_asked: bool,
     /// How the position is read, by its place in the readings.
     reading: usize,
+    /// Rows before the first fix that are left out.
+    without_fix: usize,
 }
 
 impl Draft<'_> {
@@ -365,7 +379,7 @@ impl Draft<'_> {
             ("separator", separator),
             ("comment", comment),
             ("header", numbers(grid.header, 1)),
-            ("skip", numbers(grid.skip, 0)),
+            ("skip", numbers(grid.skip + self.without_fix, 0)),
         ];
         keys.into_iter().filter_map(|(key, value)| Some((key, value?)))
     }
@@ -401,6 +415,8 @@ fn largest(values: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod conventions;
+#[cfg(test)]
+mod nulls;
 #[cfg(test)]
 mod stamps;
 #[cfg(test)]

@@ -87,7 +87,9 @@ impl Draft<'_> {
                 None => (value("speed"), value("track") * track_si),
             };
             let heading = heading(cells).unwrap_or(f64::NAN);
-            Some(Row { time, latitude, longitude, speed: speed * speed_si, course, heading })
+            // So a row without a fix is written.
+            let has_fix = latitude != 0.0 || longitude != 0.0;
+            has_fix.then_some(Row { time, latitude, longitude, speed: speed * speed_si, course, heading })
         };
         let rows: Vec<Row> = self.grid.rows.iter().enumerate().filter_map(row).collect();
         (rows.len() > 1).then(|| Motion::new(rows, time.is_some(), speed_units))

@@ -18,6 +18,9 @@ impl Draft<'_> {
         };
         let is_rad = self.is_position_in_radians();
         let Some(motion) = self.motion().filter(|_| !is_rad) else { return };
+        if self.is_position_open {
+            return self.ask_for_radians([latitude, longitude], &motion);
+        }
         let time_si = self.time_si();
         let degrees = &READINGS[0];
         let is_possible = motion.first_place(degrees, false).is_some();
@@ -93,6 +96,29 @@ impl Draft<'_> {
             value.get(at..)?.strip_suffix(" }")
         });
         self.column(place, &format!("{}{}", reading.part, part.unwrap_or("")))
+    }
+
+    /// Asks whether a position is in degrees or in radians.
+    fn ask_for_radians(&mut self, columns: [usize; 2], motion: &Motion) {
+        let is_timed = motion.is_timed && self.value("time").is_some();
+        let mut answers = Vec::new();
+        for reading in [&READINGS[0], &READINGS[READINGS.len() - 1]] {
+            let Some([first, second]) = motion.first_place(reading, false) else { continue };
+            let speed = motion.speed(reading, false, self.time_si()).filter(|_| is_timed);
+            let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s"));
+            let [latitude, longitude] = [("latitude", columns[0]), ("longitude", columns[1])]
+                .map(|(key, place)| self.column_of_position(key, place, reading));
+            answers.push(format!(
+                "latitude = {latitude}\nlongitude = {longitude}  # {}: from {first:.4}, {second:.4} deg{speed}",
+                reading.words
+            ));
+        }
+        let names = columns.map(|place| excerpt(&self.grid.names[place]));
+        let sentence = format!("{} and {} are small: degrees or radians?", names[0], names[1]);
+        for key in ["latitude", "longitude"] {
+            self.remove(key);
+        }
+        self.ask(Question { sentence, answers });
     }
 
     /// Asks for the signs of a position that moves against the course of the table.

@@ -179,8 +179,8 @@ fn times_are_of_the_unit_that_gives_a_vehicle() {
 fn angles_are_radians_where_degrees_are_impossible() {
     let radians = "latitude = { col = \"lat\", unit = \"rad\" }";
     for (table, words, latitude) in [
-        ("t,lat,lon,alt\n0,0.8377,0.19,300\n1,0.83771,0.19,300\n", radians, 47.9966),
-        ("t;lat;lon;alt\n0;0,8377;0,19;300\n1;0,83771;0,19;300\n", radians, 47.9966),
+        ("t (s),lat,lon,alt\n0,0.8377,0.19,300\n10,0.83771,0.19,300\n", radians, 47.9966),
+        ("t (s);lat;lon;alt\n0;0,8377;0,19;300\n10;0,83771;0,19;300\n", radians, 47.9966),
         ("t,lat,lon,alt\n0,0.5,1,300\n1,0.50045,1,300\n", "latitude = \"lat\"", 0.5),
     ] {
         let (found, log) = read(table);
