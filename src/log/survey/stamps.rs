@@ -112,6 +112,38 @@ fn dates_that_contradict_the_speed_are_asked_about() {
     assert!(look(&text).0.questions.is_empty());
 }
 
+/// Noise of 1 mm at rest is a speed of metres per second in milliseconds.
+#[test]
+fn noise_at_rest_is_no_speed() {
+    let mut seed = 1_u32;
+    let mut noise = |sigma: f64| {
+        let mut part = || {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(seed) / 4_294_967_296.0 - 0.5
+        };
+        sigma * (part() + part() + part() + part())
+    };
+    for (rate, unit) in [(5.0, 1.0), (1.0, 1.0), (100.0, 1.0), (5.0, 1e3)] {
+        for velocity in [false, true] {
+            let names = if velocity { ",ve (m/s),vn (m/s),vu (m/s)" } else { "" };
+            let mut text = format!("time,lat,lon,alt (m){names}\n");
+            for index in 0..1500 {
+                let time = f64::from(index) / rate * unit;
+                text += &format!("{time},{:.10},{:.10},500", 47.0 + noise(2e-8), 8.0 + noise(2e-8));
+                text += &if velocity {
+                    format!(",{:.4},{:.4},0\n", noise(0.02), noise(0.02))
+                } else {
+                    "\n".into()
+                };
+            }
+            let (found, samples) = look(&text);
+            let samples = samples.unwrap_or_else(|error| panic!("{error:?} {found:?}"));
+            let duration = samples[samples.len() - 1].time_s - samples[0].time_s;
+            assert!((duration - 1499.0 / rate).abs() < 1e-6, "{rate} Hz: {duration} s: {found:?}");
+        }
+    }
+}
+
 #[test]
 fn an_answer_about_the_time_of_slow_rows_smooths_them() {
     let rows = flight(47.3, 8.4);

@@ -137,7 +137,7 @@ impl Draft<'_> {
     /// one that gives a vehicle, or at rest the one that its steps suggest. `None`: a speed contradicts each, which is asked.
     fn unit_of_time(&mut self, place: usize) -> Option<&'static str> {
         let name = excerpt(&self.grid.names[place]);
-        let motion = self.motion();
+        let motion = self.motion().filter(|motion| !motion.is_at_rest());
         if let Some((unit, part)) = motion.as_ref().and_then(unit_that_fits) {
             if unit != "s" {
                 self.doubt(format!(
@@ -150,6 +150,9 @@ impl Draft<'_> {
         let motion = motion.filter(|motion| motion.first_place(degrees, false).is_some());
         for (unit, part, si) in UNITS.into_iter().take(4) {
             let Some(motion) = &motion else { break };
+            if !is_rate(motion, si) {
+                continue;
+            }
             let Some(speed) = motion.speed(degrees, false, si).filter(|speed| SPEEDS.contains(speed)) else {
                 continue;
             };
@@ -283,6 +286,11 @@ fn contradicts(name: &str) -> String {
     format!("{name} has no unit with which the positions have the speed of the table")
 }
 
+/// Whether the rows have no higher rate than a log, if times are of this unit.
+fn is_rate(motion: &Motion, time_si: f64) -> bool {
+    motion.rate_hz(time_si).is_none_or(|rate_hz| rate_hz <= *RATES.end())
+}
+
 /// The unit of times with which the positions agree with the speed of the table, alone.
 fn unit_that_fits(motion: &Motion) -> Option<(&'static str, &'static str)> {
     let mut fits = Vec::new();
@@ -290,7 +298,7 @@ fn unit_that_fits(motion: &Motion) -> Option<(&'static str, &'static str)> {
         if motion.first_place(reading, false).is_none() {
             continue;
         }
-        for (unit, part, si) in UNITS {
+        for (unit, part, si) in UNITS.into_iter().filter(|(.., si)| is_rate(motion, *si)) {
             fits.extend(motion.misfit(&motion.fit(reading, false, si)).map(|misfit| ((unit, part), misfit)));
         }
     }
