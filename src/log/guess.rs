@@ -63,7 +63,10 @@ const NAMES: &[(&str, &[&str])] = &[
             "alt",
             "altmsl",
             "altitudemsl",
+            "heightmsl",
             "altitudeasl",
+            "altamsl",
+            "altitudeamsl",
             "elevation",
             "ele",
             "hgt",
@@ -251,32 +254,44 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("degc", ""),
 ];
 
-/// The unit at the end of the words of a name, which are then without it; empty: there is none.
-fn take_unit(words: &mut Vec<&str>) -> &'static str {
-    for length in [2, 1] {
-        let Some(begin) = words.len().checked_sub(length).filter(|begin| *begin > 0) else { continue };
-        let end = words[begin..].join(" ");
-        if let Some((_, known)) = SPELLINGS.iter().find(|(spelling, _)| *spelling == end) {
-            words.truncate(begin);
-            return known;
-        }
-    }
-    ""
+/// Words behind the unit of a height: what it is above.
+const ABOVE: [&str; 4] = ["msl", "amsl", "asl", "agl"];
+
+/// The unit in a name, and its words without it; empty: there is none. It stands at the end, before the word that says what a height is
+/// above, or as the first of several words in brackets.
+fn unit_and_words(name: &str) -> (&'static str, Vec<String>) {
+    let mut words = words(name);
+    let above = words.pop_if(|word| ABOVE.contains(&word.as_str()));
+    let count = words.len();
+    let in_brackets = name.rsplit_once(['(', '[']).filter(|(_, inside)| inside.ends_with([')', ']']));
+    let inside = in_brackets.map(|(before, _)| self::words(before).len());
+    let at_end = [2, 1].map(|length| (count.checked_sub(length), length));
+    let at_begin = [2, 1].map(|length| (inside.filter(|begin| begin + length <= count), length));
+    let places = at_end.into_iter().chain(at_begin);
+    let mut spelled = places.filter_map(|(begin, length)| {
+        let begin = begin.filter(|begin| *begin > 0)?;
+        let spelled = words[begin..begin + length].join(" ");
+        let (_, known) = SPELLINGS.iter().find(|(spelling, _)| *spelling == spelled)?;
+        Some((begin..begin + length, *known))
+    });
+    let unit = spelled.next().map_or("", |(place, unit)| {
+        words.drain(place);
+        unit
+    });
+    words.extend(above);
+    (unit, words)
 }
 
 /// The unit of this dimension that a name states.
 pub fn unit_in_name(name: &str, dimension: Dimension) -> Option<&'static str> {
-    let words = words(name);
-    let unit = take_unit(&mut words.iter().map(String::as_str).collect());
+    let (unit, _) = unit_and_words(name);
     let unit = if unit == "ms" && dimension == Dimension::Speed { "m/s" } else { unit };
     unit_of(dimension, unit).filter(|_| !unit.is_empty()).map(|(unit, _)| unit)
 }
 
 /// What the column of a name has, if the name says it.
 pub fn guess(name: &str) -> Option<Guess> {
-    let words = words(name);
-    let mut words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let unit = take_unit(&mut words);
+    let (unit, mut words) = unit_and_words(name);
     loop {
         let stem = words.concat();
         let is_one = |known: &&str| known.strip_prefix('-').unwrap_or(known) == stem;
@@ -289,11 +304,17 @@ pub fn guess(name: &str) -> Option<Guess> {
             let dimension = QUANTITIES[quantity].dimension;
             // vel_e_ms is one in m/s.
             let unit = if unit == "ms" && dimension == Dimension::Speed { "m/s" } else { unit };
-            let unit = if unit_of(dimension, unit).is_some() { unit } else { "" };
+            // A heading (M) is magnetic.
+            let is_magnetic = dimension == Dimension::Angle && unit == "m";
+            let is_of_it = unit_of(dimension, unit).is_some();
+            if !is_of_it && !is_magnetic && dimension != Dimension::Temperature {
+                return None;
+            }
+            let unit = if is_of_it { unit } else { "" };
             let sign = if name.starts_with('-') { -1.0 } else { 1.0 };
             return Some(Guess { quantity, unit, sign, rank });
         }
-        let is_before = words.len() > 1 && BEFORE.contains(&words[0]);
+        let is_before = words.len() > 1 && BEFORE.contains(&words[0].as_str());
         if !is_before {
             return None;
         }
@@ -370,8 +391,12 @@ mod tests {
             ("VelDown_mms", "up", "mm/s", -1.0),
             ("INSAlt_mm", "height", "mm", 1.0),
             ("Alt[ft]", "height", "ft", 1.0),
-            // A unit that is none of the quantity is left out.
-            ("heading_ft", "heading", "", 1.0),
+            ("Altitude (ft MSL)", "height", "ft", 1.0),
+            ("alt_ft_msl", "height", "ft", 1.0),
+            ("GPS Altitude [ft, AMSL]", "height", "ft", 1.0),
+            ("Altitude (MSL)", "height", "", 1.0),
+            ("Heading (M)", "heading", "", 1.0),
+            ("Temp (deg)", "temperature", "", 1.0),
         ] {
             let found = guess(name).unwrap();
             assert_eq!((QUANTITIES[found.quantity].key, found.unit, found.sign), (key, unit, sign), "{name}");
@@ -387,8 +412,30 @@ mod tests {
             "true_airspeed",
             "Latitude Error",
             "m/s",
+            // A unit that is none of the quantity is that of another one.
+            "heading_ft",
+            "Roll (deg/s)",
+            "Lat (g)",
+            "lat sec",
+            // No height above the ellipsoid or the sea.
+            "Altitude (ft AGL)",
+            "Speed (kt IAS)",
         ] {
             assert_eq!(guess(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_unit_stands_at_the_end_or_in_brackets() {
+        for (name, unit) in [
+            ("Altitude (ft AGL)", Some("ft")),
+            ("Alt [mm above sea]", Some("mm")),
+            ("My height in ft", Some("ft")),
+            ("Altitude (above the sea)", None),
+            ("UTC Time (hh:mm:ss)", None),
+            ("Altitude", None),
+        ] {
+            assert_eq!(unit_in_name(name, Dimension::Length), unit, "{name}");
         }
     }
 

@@ -3,6 +3,7 @@
 mod attitude;
 mod evidence;
 mod formats;
+mod height;
 mod letters;
 mod motion;
 mod position;
@@ -104,7 +105,7 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
         draft.quaternion();
     }
     draft.null_rows();
-    draft.height();
+    draft.height(known.is_some());
     draft.only_one();
     draft.complete();
     let text = draft.layout().chain(draft.keys).map(|(key, value)| format!("{key} = {value}\n")).collect();

@@ -1,4 +1,4 @@
-//! Attitudes whose unit or whose sense nothing states, and heights that are none.
+//! Attitudes whose unit or whose sense nothing states.
 
 use super::motion::{Motion, READINGS, Reading};
 use super::{ATTITUDE, Draft, Question, largest};
@@ -14,9 +14,8 @@ const FITS_STRAIGHT: f64 = 5.0 * DEG;
 /// A reading fits better than another one if its angle is smaller by this factor.
 pub const BETTER: f64 = 3.0;
 
-/// A quarter of a turn, and the largest height of a flight \[m\].
+/// A quarter of a turn.
 pub const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
-const HIGHEST_M: f64 = 1e5;
 
 impl Draft<'_> {
     /// The unit of an attitude that states none and has no angle above a turn in radians: the one in which the heading follows the track. A
@@ -121,41 +120,5 @@ impl Draft<'_> {
         }
         self.is_attitude_asked = true;
         self.ask(Question { sentence: sentence.to_owned(), answers });
-    }
-
-    /// Asks for a height that the table has not, or that is none of a flight in metres.
-    pub(super) fn height(&mut self) {
-        let Some(place) = self.place("height").filter(|_| self.value("height").is_some()) else {
-            let read: Vec<usize> = self.places.iter().map(|found| found.place).collect();
-            let is_like = |name: &str| {
-                let name = name.to_lowercase();
-                ["alt", "height", "elev", "hgt", "höhe", "hoehe"].iter().any(|word| name.contains(word))
-            };
-            let names = self.grid.names.iter().enumerate();
-            let like = names.filter(|(place, name)| is_like(name) && !read.contains(place));
-            let mut answers: Vec<String> =
-                like.take(4).map(|(place, _)| format!("height = {}", self.column(place, ""))).collect();
-            answers.push("height = 0  # all the way".to_owned());
-            return self
-                .ask(Question { sentence: "no column is understood as the height".to_owned(), answers });
-        };
-        let is_stated = self.found("height").is_some_and(|found| !found.unit.is_empty());
-        let numbers = self.numbers("height").unwrap_or_default();
-        if is_stated || largest(&numbers) <= HIGHEST_M {
-            return;
-        }
-        let first = numbers[0];
-        let answer = |(unit, size): (&str, f64)| {
-            let is_high = largest(&numbers) * size > HIGHEST_M;
-            let column = self.column(place, &format!(", unit = \"{unit}\""));
-            (!is_high).then(|| format!("height = {column}  # begins at {:.1} m", first * size))
-        };
-        let mut answers: Vec<String> =
-            [("mm", 1e-3), ("cm", 1e-2), ("ft", 0.3048)].into_iter().filter_map(answer).collect();
-        answers.push(format!("height = {}  # an orbit", self.column(place, ", unit = \"m\"")));
-        let name = excerpt(&self.grid.names[place]);
-        self.remove("height");
-        self.doubts.retain(|doubt| !doubt.starts_with(&format!("{name} is taken as ")));
-        self.ask(Question { sentence: format!("{name} is above 100 km in m"), answers });
     }
 }

@@ -351,7 +351,8 @@ fn a_height_is_read_in_its_unit_or_asked_about() {
         ("PosAlt_cm", 1e-2),
         ("height (km)", 1e3),
         ("enhanced_altitude", 1.0),
-        ("alt_geom", 1.0),
+        ("Altitude (ft MSL)", 0.3048),
+        ("alt_ft_amsl", 0.3048),
     ] {
         let (found, samples) = look(&text(name, size));
         let (distance, _) = errors(&samples.unwrap(), &rows);
@@ -360,6 +361,23 @@ fn a_height_is_read_in_its_unit_or_asked_about() {
     assert_asks(&text("alt", 1e-3), "height = { col = \"alt\", unit = \"mm\" }  # begins at 500.0 m");
     assert_asks(&text("My altitude above all", 1.0), "height = \"My altitude above all\"");
     assert_asks(&text("x", 1.0), "height = 0  # all the way");
+    // Those of a question have their units, and where they begin.
+    for (name, size, answer) in [
+        (
+            "Altitude (ft AGL)",
+            0.3048,
+            "height = { col = \"Altitude (ft AGL)\", unit = \"ft\" }  # begins at 500.0 m",
+        ),
+        ("Alt [mm above sea]", 1e-3, "unit = \"mm\" }  # begins at 500.0 m"),
+        ("Alt above sea", 0.3048, "height = { col = \"Alt above sea\", unit = \"ft\" }  # begins at 500.0 m"),
+        ("Alt above sea", 1.0, "height = \"Alt above sea\"  # begins at 500.0 m"),
+        ("FL", 30.48, "height = { col = \"FL\", scale = 30.48 }  # begins at 500.0 m"),
+        ("alt_geom", 0.3048, "height = { col = \"alt_geom\", unit = \"ft\" }  # begins at 500.0 m"),
+        ("alt_baro", 1.0, "height = { col = \"alt_baro\", unit = \"m\" }  # begins at 500.0 m"),
+    ] {
+        let found = assert_asks(&text(name, size), answer);
+        assert!(!found.text.contains("height"), "{found:?}");
+    }
 }
 
 /// A `[log]` written by hand names columns whose names state units.

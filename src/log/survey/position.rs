@@ -36,10 +36,13 @@ impl Draft<'_> {
         }
         let is_timed = motion.is_timed && self.value("time").is_some();
         let fit = motion.fit(degrees, false, time_si);
+        if is_possible && motion.is_at_rest() {
+            return;
+        }
         let is_opposite = fit.course_deg.is_some_and(|course_deg| course_deg > OPPOSITE_DEG);
         let has_course = motion.rows.iter().any(|row| row.course.is_finite() && row.course != 0.0);
         if is_possible && !(is_timed && motion.contradicts(&fit)) {
-            if is_opposite && has_course && !motion.is_at_rest() {
+            if is_opposite && has_course {
                 return self.ask_for_signs(&motion);
             }
             if let Some(ratio) = fit.ratio.filter(|_| is_timed && motion.misfit(&fit).is_none()) {
