@@ -11,13 +11,17 @@ mod quaternion;
 mod times;
 mod units;
 
+use csv::StringRecord;
+
 use super::grid::Grid;
 use super::guess::{Guess, guess};
 use super::known::{Key, Known, Value, known};
 use super::nameless::{nameless, rtklib};
 use super::quantity::{Dimension, QUANTITIES, unit_of};
+use super::rows::number;
 use super::text::decoded;
 use super::{Clock, LogMapping, Separator, TimeFormat};
+use crate::base::math::hypot;
 use crate::base::text::{MAX_TEXT_VALUE, excerpt, text_in_quotes};
 
 /// What a table has.
@@ -66,6 +70,9 @@ const VEHICLES: [&str; 15] = [
     "deviceid",
     "id",
 ];
+
+/// A step of this many of the largest ones of a path is one of the path.
+const NEAR: f64 = 5.0;
 
 /// The quantities of each form of the velocity, and those of the attitude: all of them or none.
 const VELOCITIES: [[&str; 3]; 2] = [["east", "north", "up"], ["speed", "track", "climb"]];
@@ -304,6 +311,11 @@ impl Draft<'_> {
         else {
             return;
         };
+        let name = excerpt(&grid.names[place]);
+        if self.is_one_path(place, vehicles.len()) {
+            self.doubt(format!("{name} numbers {} parts of one path: all rows are read", vehicles.len()));
+            return;
+        }
         let (column, only) = (self.named_or_numbered(place), most[0]);
         let is_written = only.len() <= MAX_TEXT_VALUE && !only.chars().any(char::is_control);
         // A key of a text takes no number.
@@ -311,13 +323,29 @@ impl Draft<'_> {
             return;
         }
         self.doubt(format!(
-            "{} has {} vehicles: the rows of {} are read; only = ... takes another",
-            excerpt(&grid.names[place]),
+            "{name} has {} vehicles: the rows of {} are read; only = ... takes another",
             vehicles.len(),
             excerpt(only)
         ));
         self.set("only_column", column);
         self.set("only", text_in_quotes(only));
+    }
+
+    /// Whether the rows of each of `count` cells of a column follow each other, and the path goes on from one to the next.
+    fn is_one_path(&self, place: usize, count: usize) -> bool {
+        let keys = ["latitude", "longitude"].map(|key| self.place(key));
+        let [Some(latitude), Some(longitude)] = keys else { return false };
+        let value = |row: &StringRecord, place: usize| number(row.get(place)?, self.grid.separator);
+        let rows = self
+            .grid
+            .rows
+            .iter()
+            .filter_map(|row| Some((row.get(place)?, value(row, latitude)?, value(row, longitude)?)));
+        let rows: Vec<(&str, f64, f64)> = rows.collect();
+        let step = |two: &[(&str, f64, f64)]| hypot(two[1].1 - two[0].1, two[1].2 - two[0].2);
+        let (within, between): (Vec<_>, Vec<_>) = rows.windows(2).partition(|two| two[0].0 == two[1].0);
+        let usual = within.iter().map(|two| step(two)).fold(0.0, f64::max);
+        between.len() + 1 == count && between.iter().all(|two| step(two) <= NEAR * usual)
     }
 
     /// Quantities that come together, those that every flight has, and the repair of what is slow or lacks an attitude.

@@ -265,6 +265,17 @@ fn of_several_vehicles_one_is_read() {
     );
     let (found, log) = read(&table.replace("cd34", "ab12"));
     assert!(!found.text.contains("only"), "{found:?}");
+    // Parts of one path are no vehicles; two that fly one after the other are.
+    let parts = |jump: f64| {
+        let row = |k: u32| {
+            let part = k / 10;
+            format!("{k},{part},{},11,300\n", 48.0 + f64::from(k) * 1e-3 + jump * f64::from(part))
+        };
+        "time,id,lat,lon,altitude\n".to_owned() + &(0..30).map(row).collect::<String>()
+    };
+    let (found, whole) = read(&parts(0.0));
+    assert!(doubts(&found, "id numbers 3 parts of one path") && whole.samples().len() == 30, "{found:?}");
+    assert!(doubts(&read(&parts(0.5)).0, "id has 3 vehicles"));
     // Numbers of rows tell no vehicles apart.
     let numbered = (0..10).map(|k| format!("{k},{k},{},11,300\n", 48.0 + f64::from(k) * 1e-3));
     let (found, _) = read(&("time,id,lat,lon,altitude\n".to_owned() + &numbered.collect::<String>()));
