@@ -65,13 +65,25 @@ impl Grid {
         let mut skip = 0;
         // Units, or a second line of names.
         let mut units = Vec::new();
-        while let Some(row) = behind.next_if(|row| is_units(row) || quantities(row) >= FEWEST) {
+        let is_comment = |row: &StringRecord| row.get(0).is_some_and(|cell| cell.starts_with(comment));
+        let are_names = |row: &StringRecord| is_units(row) || quantities(row) >= FEWEST;
+        while let Some(row) = behind.next_if(|row| are_names(row) || is_comment(row)) {
             // The reader passes comments.
-            skip += usize::from(!row[0].starts_with(comment));
-            units.push(unmarked(&row, separator));
+            skip += usize::from(!is_comment(&row));
+            if are_names(&row) {
+                units.push(unmarked(&row, separator));
+            }
         }
         units.extend(lines[..place].iter().map(row).filter(is_units));
-        Some(Self { separator, header: place + 1, names, comment, units, skip, rows: behind.collect() })
+        Some(Self {
+            separator,
+            header: place + 1,
+            names,
+            comment,
+            units,
+            skip,
+            rows: behind.filter(|row| !is_comment(row)).collect(),
+        })
     }
 
     /// The cells of a column that have a value.

@@ -40,6 +40,14 @@ fn separators_headers_and_lines_of_units_are_found() {
         let (found, log) = read(table);
         assert!(found.text.contains(words) && log.samples().len() == 2, "{words}: {found:?}");
     }
+    // Comments behind the names and between the rows.
+    for unit in ["", "# made up, by hand\n"] {
+        let table =
+            format!("t,lat,lon,alt\n{unit}# s,deg,deg,ft\n# note\n0,48,11,300\n# 2,3\n0.5,48.0005,11,300\n");
+        let (found, log) = read(&table);
+        assert!(found.text.contains("time = \"t\"\n") && found.text.contains("unit = \"ft\""), "{found:?}");
+        assert_eq!(log.samples().len(), 2);
+    }
     // Of two columns with one name the first, by its number.
     let (found, log) = read("t,lat,lat,lon,alt\n0,48,1,11,300\n1,48.0005,1,11,300\n");
     assert!(found.text.contains("latitude = { col = 2 }\n") && doubts(&found, "column 3"), "{found:?}");
