@@ -218,7 +218,9 @@ impl Table<'_> {
                 values[quantity] += column.offset;
             }
         }
-        if !is_whole {
+        // So an attitude is written before there is one.
+        let is_null = has_quaternion(&self.columns) && values[Q0..Q0 + 4].iter().all(|part| *part == 0.0);
+        if !is_whole || is_null {
             return Ok(None);
         }
         let mut sample = self.of_values(&values);
@@ -419,6 +421,17 @@ mod tests {
         assert_eq!(note, "2 rows are left out, the first here: a value is missing");
         let (rolls, ..) = read("roll = \"roll_deg\"\n");
         assert_eq!(rolls, [2, 5]);
+    }
+
+    #[test]
+    fn a_row_whose_quaternion_is_zero_has_no_attitude() {
+        let text = "[flight]\nfile = \"a.csv\"\n[log]\ntime = \"t\"\nlatitude = 48\nlongitude = 11\nheight = 0\n\
+            q0 = \"a\"\nq1 = \"b\"\nq2 = \"c\"\nq3 = \"d\"\n";
+        let scene = Scene::parse(text.as_bytes()).unwrap();
+        let table = "t,a,b,c,d\n0,0,0,0,0\n1,0,0,0.0,-0\n2,1,0,0,0\n3,0,0,0,1\n";
+        let log = FlightLog::parse_with(table.as_bytes(), &scene.log).unwrap();
+        assert_eq!(log.samples().len(), 2);
+        assert_eq!(log.notes()[0].sentence, "2 rows are left out, the first here: a value is missing");
     }
 
     #[test]
