@@ -256,6 +256,36 @@ mod tests {
         assert_eq!(log.notes()[0].sentence, "2 rows are left out, the first here: a value is missing");
     }
 
+    #[test]
+    fn midnight_and_the_end_of_a_week_are_named() {
+        for (last, next, what) in [
+            (86399.0, 0.0, Some("midnight")),
+            (86399.5, 0.5, Some("midnight")),
+            (604_799.0, 0.0, Some("the end of a GPS week")),
+            (86399.0, 86390.0, None),
+            (5000.0, 0.0, None),
+        ] {
+            for smooth in ["", "smooth = \"auto\"\n"] {
+                let table = format!(
+                    "Uhrzeit,Breite,Lon,n\n{},47,8,1\n{last},47.01,8.01,1\n{next},47.02,8.02,1\n{},47.03,8.03,1\n",
+                    last - 1.0,
+                    next + 1.0
+                );
+                let found = read(&format!("{smooth}{KEYS}"), &table);
+                match (what, found) {
+                    (Some(what), Err(LogError::Fault(fault))) => {
+                        assert!(fault.line == 4 && fault.sentence.contains(what), "{fault:?}");
+                    }
+                    (Some(what), found) => panic!("{what}: {found:?}"),
+                    (None, Err(LogError::Fault(fault))) => {
+                        assert!(fault.sentence.contains("not later than"), "{fault:?}");
+                    }
+                    (None, found) => assert!(!smooth.is_empty(), "{found:?}"),
+                }
+            }
+        }
+    }
+
     /// A quote that is never closed would swallow the rows behind it.
     #[test]
     fn a_row_of_several_lines_is_refused_at_its_line() {

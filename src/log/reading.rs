@@ -69,6 +69,15 @@ impl<'m> Reading<'m> {
             self.leave_out(line);
             return Ok(());
         };
+        if let Some((last, what)) =
+            self.log.samples.last().and_then(|last| Some((last, begins_anew(last, &sample)?)))
+        {
+            let sentence = format!(
+                "time_s = {}: follows {}: is it {what}? Add its seconds to the times from here on",
+                sample.time_s, last.time_s
+            );
+            return Err(fault(line, 1, sentence));
+        }
         match self.log.samples.last() {
             Some(last) if self.log.smoothing.is_some() && sample.time_s <= last.time_s => {
                 match sample.time_s == last.time_s && sample.place == last.place {
@@ -136,4 +145,14 @@ impl<'m> Reading<'m> {
         }
         Ok(log)
     }
+}
+
+/// What begins anew in a row whose time is less by a day or a week: these rows are no others of an earlier time.
+fn begins_anew(last: &FlightSample, next: &FlightSample) -> Option<&'static str> {
+    const ENDS: [(f64, &str); 2] = [(86400.0, "midnight"), (604_800.0, "the end of a GPS week")];
+    const NEAR_S: f64 = 60.0;
+    let is_end = |(end_s, _): &(f64, &str)| {
+        last.time_s <= *end_s && last.time_s > end_s - NEAR_S && (0.0..NEAR_S).contains(&next.time_s)
+    };
+    ENDS.into_iter().find(is_end).map(|(_, what)| what)
 }
