@@ -161,7 +161,22 @@ impl Finding {
         Some(found).filter(Self::is_of_two)
     }
 
-    /// It, found in the rows that a path was fitted to, at the sample `row` of the path: what the path does not have is a note.
+    /// Whether velocities contradict the positions so much that these or the times may be wrong as well, by a sign, exchanged, or by a
+    /// factor that is no unit of speeds. Below that, between rows of 1 s, a slow vehicle may do it.
+    fn is_open(&self) -> bool {
+        let is_of_speeds = |unit| ["knots", "ft/s", "km/h", "mph"].contains(&unit);
+        let is_explained = match self.clue {
+            Clue::Velocity { unit, exchanged, opposite: [east, north, _] } => {
+                is_of_speeds(unit) && !exchanged && !east && !north
+            }
+            _ => false,
+        };
+        let is_of_velocities = matches!(self.kind, Kind::VelocityContradicts | Kind::VelocityUnit);
+        is_of_velocities && self.level == Level::Unusable && !is_explained
+    }
+
+    /// It, found in the rows that a path was fitted to, at the sample `row` of the path: what the path does not have is a note, unless it
+    /// may be the path that is wrong.
     pub(crate) fn of_rows(self, row: u64) -> Self {
         let at = At { row, ..self.at };
         let is_in_path = matches!(
@@ -182,7 +197,7 @@ impl Finding {
         match is_in_path {
             true => Self { at, ..self },
             false => Self {
-                level: Level::Note,
+                level: if self.is_open() { Level::Doubtful } else { Level::Note },
                 acceleration_m_s2: 0.0,
                 ins_error_m: 0.0,
                 is_of_rows: true,
@@ -223,6 +238,9 @@ impl Finding {
                 "these rows are left out"
             }
             Kind::Gaps => "the path bridges them",
+            Kind::VelocityUnit | Kind::VelocityContradicts if self.level > Level::Note => {
+                "the velocity of the path is flown instead; if the velocity of the rows is right, their positions or times are wrong"
+            }
             Kind::NoisyVelocities
             | Kind::VelocityUnit
             | Kind::VelocityContradicts

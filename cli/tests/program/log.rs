@@ -153,6 +153,25 @@ fn what_the_rows_had_is_said_of_their_path() {
         let (code, _, errors) = flown(log);
         assert!(code == 0 && errors.contains(words), "{log}: {errors}");
     }
+    // Velocities that contradict the positions stay doubtful, since it may be the positions or the times that are wrong.
+    type Change = fn(&mut [f64; 9]);
+    let changes: [(&str, Change); 5] = [
+        ("mirrored", |row| row[2] = -row[2]),
+        ("exchanged", |row| (row[1], row[2]) = (row[2] + 30.0, row[1] - 39.0)),
+        ("quick", |row| row[0] /= 2.5),
+        ("hundredths", |row| row[0] *= 100.0),
+        ("wind", |row| row[7] += 25.0),
+    ];
+    for (log, change) in changes {
+        let mut rows = circle(10, 150);
+        rows.iter_mut().for_each(change);
+        let file = format!("{log}.csv");
+        write(&folder.join(&file), &rows, true);
+        let (code, _, errors) = flown(&file);
+        let words = "if the velocity of the rows is right, their positions or times are wrong";
+        let is_doubtful = |line: &str| line.contains(": doubtful: velocity ") && line.contains(words);
+        assert!(code == 2 && errors.lines().any(is_doubtful), "{log}: {errors}");
+    }
     // No path can be fitted to these rows: the error says what may be the cause.
     let mut slow = circle(10, 15);
     for k in 0..slow.len() {
