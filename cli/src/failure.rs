@@ -11,6 +11,8 @@ pub enum Kind {
     Input,
     /// The machine: a folder that cannot be made; or a solution that left its range.
     Failed,
+    /// A log that is doubtful, and only those without doubt were wanted.
+    Doubtful,
     /// An output that cannot be written: the disk is full, or another program holds the file.
     Unwritten,
     /// Stopped by Ctrl-C, SIGTERM or SIGHUP.
@@ -25,7 +27,8 @@ pub enum Kind {
 pub const EXIT_CODES: &str = "\
 Exit codes:
   0    done; also a live flight that Ctrl-C ended
-  1    failed: the solution diverged, or an output cannot be written. What was flown until then is written
+  1    failed: the solution diverged, or an output cannot be written. What was flown until then is written. Or a log is doubtful, with
+       --strict; nothing is written then
   2    an option or an input file cannot be used, another run writes the same output, or live ended without a flight; nothing is written
        but the file of log --map with what it asks
   3    not met: recommend found no options for the requirement and printed the best; or the runs of an ensemble do not meet --meets
@@ -96,7 +99,7 @@ impl Failure {
     /// The exit code.
     pub fn code(&self) -> ExitCode {
         ExitCode::from(match self.kind {
-            Kind::Failed | Kind::Unwritten => 1,
+            Kind::Failed | Kind::Unwritten | Kind::Doubtful => 1,
             Kind::Input => 2,
             Kind::NotMet => 3,
             Kind::Undecided => 4,

@@ -7,8 +7,10 @@ use sins::log::{FlightLog, Question, survey};
 use sins::scene::Scene;
 use sins::units::DEG;
 
-use crate::failure::Failure;
-use crate::given::{ReadLog, Settings, is_log, is_record, judge, of_log, parse_log, read_bytes, refused};
+use crate::failure::{Failure, Kind};
+use crate::given::{
+    Json, ReadLog, Settings, Verdict, find_gaps, is_log, is_record, of_log, parse_log, read_bytes,
+};
 use crate::output::{NO_MARK, Outputs};
 use crate::siblings;
 use crate::terminal::{print, quoted, say};
@@ -25,9 +27,9 @@ const COLUMNS: &str = "time_s,latitude_deg,longitude_deg,height_m,velocity_east_
 
 /// Looks at a flight log, and smooths it
 ///
-/// Prints what the log has and what the judge finds in it; findings alone do not change the exit code. With --smooth, noise, coarse steps,
-/// repeated rows, outliers and stamps that scatter are smoothed: the path is that of splines whose cut-off follows from the spectrum of the
-/// rows. Its velocity is the derivative of its position. The path is written as a log that `sins fly` flies.
+/// Prints what the log has and what the judge finds in it; of an unusable log the exit code is 2, as of its flight. With --smooth, noise,
+/// coarse steps, repeated rows, outliers and stamps that scatter are smoothed: the path is that of splines whose cut-off follows from the
+/// spectrum of the rows. Its velocity is the derivative of its position. The path is written as a log that `sins fly` flies.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// Flight log: a table, or a flight record in IGC, GPX or FDR ("-": standard input)
@@ -42,9 +44,11 @@ pub struct Order {
     /// with exit code 2.
     #[arg(long, value_name = "MAP.toml", conflicts_with_all = ["columns", "smooth"])]
     map: Option<PathBuf>,
-    /// Exits with code 2 if a finding is doubtful or unusable, as the commands that fly a log do with this option
+    /// Exits with code 1 if a finding is doubtful, as the commands that fly a log do with this option
     #[arg(long, conflicts_with = "smooth")]
     strict: bool,
+    #[command(flatten)]
+    json: Json,
     /// Smooths the log
     #[arg(long, requires = "output")]
     smooth: bool,
@@ -95,22 +99,30 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         Ok(path) => (path, None),
         Err(error) => (rows.clone(), Some(of_log(&order.file, error))),
     };
-    let mut findings = judge(&scene, &order.file, &log, log.samples().len());
-    if failure.is_none() {
-        let refused = refused(&scene, &order.file, &log, &findings);
-        findings.splice(0..0, refused);
+    let count = log.samples().len();
+    let mut verdict = Verdict::new(&scene, &order.file, &log, count);
+    if failure.is_none()
+        && let Err((index, error)) = find_gaps(&scene, &log, count)
+    {
+        verdict.refuse(&scene, &log, index, &error);
+    }
+    let json = order.json.is_wanted;
+    if json {
+        print(&verdict.json())?;
     }
     match &order.output {
         Some(output) => {
-            findings.iter().for_each(|(_, words)| say(words));
+            verdict.lines().filter(|_| !json).for_each(|line| say(&line));
             let inputs: Vec<PathBuf> = [order.file.clone()].into_iter().chain(others).collect();
             failure.map_or_else(|| write(order, &inputs, output, &log), Err)?;
-            print(&written::text(&[output], Some(&format!("`sins fly {}`", quoted(output)))))
+            let next = format!("`sins fly {}`", quoted(output));
+            if json { Ok(()) } else { print(&written::text(&[output], Some(&next))) }
         }
+        None if json => failure.map_or_else(|| refuse(order, &verdict), Err),
         None => {
             print_rows(order, &rows)?;
-            print(&findings.iter().map(|(_, words)| format!("{words}\n")).collect::<String>())?;
-            failure.map_or_else(|| conclude(order, &findings), Err)
+            print(&verdict.lines().map(|line| line + "\n").collect::<String>())?;
+            failure.map_or_else(|| conclude(order, &verdict), Err)
         }
     }
 }
@@ -126,8 +138,8 @@ fn print_rows(order: &Order, log: &FlightLog) -> Result<(), Failure> {
 }
 
 /// Says what the findings mean, and what comes next.
-fn conclude(order: &Order, findings: &[(Level, String)]) -> Result<(), Failure> {
-    let worst = findings.iter().map(|(level, _)| *level).max();
+fn conclude(order: &Order, verdict: &Verdict) -> Result<(), Failure> {
+    let worst = verdict.worst();
     if worst < Some(Level::Doubtful) {
         print("nothing is doubtful\n")?;
     }
@@ -143,10 +155,17 @@ fn conclude(order: &Order, findings: &[(Level, String)]) -> Result<(), Failure> 
         };
         print(&written::text(&[map], Some(&next)))?;
     }
-    if order.strict && worst >= Some(Level::Doubtful) {
-        return Err(Failure::of_file(&order.file, &"the log is refused (--strict)"));
-    }
-    Ok(())
+    refuse(order, verdict)
+}
+
+/// Refuses a log as a flight does.
+fn refuse(order: &Order, verdict: &Verdict) -> Result<(), Failure> {
+    let (kind, why) = match verdict.worst() {
+        Some(Level::Unusable) => (Kind::Input, "a flight of this log is refused"),
+        Some(Level::Doubtful) if order.strict => (Kind::Doubtful, "the log is refused (--strict)"),
+        _ => return Ok(()),
+    };
+    Err(Failure::of_kind(kind, format!("{}: {why}", order.file.display())))
 }
 
 /// Looks for the columns of a table, and writes them.

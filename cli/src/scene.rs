@@ -7,7 +7,7 @@ use sins::scene::{BUILTIN_SCENES, FlightSource, KeyLine, builtin, keys, keys_tex
 
 use crate::failure::Failure;
 use crate::fly::{self, FOR_LOGS};
-use crate::given::{Given, Settings, Trust, is_log, read_scene};
+use crate::given::{Given, Json, Settings, Trust, is_log, read_scene};
 use crate::output::Outputs;
 use crate::rows::{self, number};
 use crate::terminal::print;
@@ -28,6 +28,8 @@ pub enum Order {
         settings: Settings,
         #[command(flatten)]
         trust: Trust,
+        #[command(flatten)]
+        json: Json,
     },
     /// Writes a scene in TOML: the keys that are set, each with its meaning and unit
     Write {
@@ -48,7 +50,9 @@ pub enum Order {
 pub fn run(order: &Order) -> Result<(), Failure> {
     match order {
         Order::List => list(),
-        Order::Check { scenes, settings, trust } => check(scenes, settings, trust),
+        Order::Check { scenes, settings, trust, json } => {
+            check(scenes, settings, &Trust { json: json.is_wanted, ..*trust })
+        }
         Order::Write { scene, settings, output, force } => {
             if is_log(scene) {
                 let what = format!("{}: is a flight log, not a scene", scene.display());
@@ -97,7 +101,9 @@ fn check(scenes: &[OsString], settings: &Settings, trust: &Trust) -> Result<(), 
             Err(failure) => bad.push(failure),
         }
     }
-    print(&good)?;
+    if !trust.json {
+        print(&good)?;
+    }
     if bad.is_empty() { Ok(()) } else { Err(Failure::all(bad)) }
 }
 

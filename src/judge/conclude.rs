@@ -82,6 +82,7 @@ impl Judge {
                 self.find_in_attitudes(&mut found);
             }
         }
+        found.list.iter_mut().flatten().for_each(|own| own.is_of_path = self.is_path);
         for finding in self.of_rows.iter().flatten() {
             if !found.list.iter().flatten().any(|own| own.kind == finding.kind) {
                 found.add(*finding);

@@ -130,6 +130,8 @@ pub struct Finding {
     pub(super) clue: Clue,
     /// Whether it is one of the rows of a smoothed path, and not flown: they were repaired, or are not used.
     pub is_of_rows: bool,
+    /// Whether it is one of a smoothed path.
+    pub is_of_path: bool,
 }
 
 struct WithRemedy(Finding);
@@ -140,7 +142,7 @@ const TWO_VEHICLES_M: f64 = 500.0;
 impl core::fmt::Display for WithRemedy {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self.0.is_of_rows {
-            true => write!(f, "{} ({})", self.0, self.0.repair()),
+            true => write!(f, "{} ({})", self.0, self.0.remedy()),
             false => write!(f, "{}. Remedy: {}", self.0, self.0.remedy()),
         }
     }
@@ -225,6 +227,7 @@ impl Finding {
             ins_error_m: 0.0,
             clue: Clue::None,
             is_of_rows: false,
+            is_of_path: false,
         }
     }
 
@@ -260,12 +263,31 @@ impl Finding {
         self.kind == Kind::NoisyPositions && self.figure > TWO_VEHICLES_M
     }
 
-    /// What to do about it.
+    /// What to do about it; of one of rows, what was done.
     pub fn remedy(&self) -> &'static str {
+        if self.is_of_rows {
+            return self.repair();
+        }
         if self.is_of_two() {
             return "if the rows are those of several vehicles, leave the others out";
         }
         match self.kind {
+            Kind::NearStamps
+            | Kind::StampJitter
+            | Kind::CoarsePositions
+            | Kind::NoisyPositions
+            | Kind::HeldRows
+            | Kind::Spike
+            | Kind::NoisyVelocities
+            | Kind::Acceleration
+            | Kind::VelocityAtTimes
+                if self.is_of_path =>
+            {
+                "state the noise of the rows (log.position_sigma_m), or leave those out that are wrong"
+            }
+            Kind::NoisyAttitude if self.is_of_path => {
+                "state the noise of the attitude of the rows (log.attitude_sigma_deg)"
+            }
             Kind::TimeOrder => "sort the rows, or leave the late ones out",
             Kind::NearStamps => "leave one of each pair out, or smooth the log",
             Kind::Gaps => "if the vehicle manoeuvred there, fill the gaps",

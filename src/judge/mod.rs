@@ -59,6 +59,8 @@ pub struct Judge {
     earth: Earth,
     max_acceleration_m_s2: f64,
     has_attitude: bool,
+    /// Whether the samples are a smoothed path.
+    is_path: bool,
     /// Samples pushed.
     rows: u64,
     first_s: f64,
@@ -90,6 +92,7 @@ impl Judge {
             earth,
             max_acceleration_m_s2,
             has_attitude: true,
+            is_path: false,
             rows: 0,
             first_s: 0.0,
             last: None,
@@ -113,6 +116,12 @@ impl Judge {
     /// Passes over the attitudes of the samples: they are not those of the vehicle.
     pub fn ignore_attitude(&mut self) {
         self.has_attitude = false;
+    }
+
+    /// Takes the samples as those of a smoothed path.
+    #[cfg(feature = "scenes")]
+    pub(crate) fn expect_path(&mut self) {
+        self.is_path = true;
     }
 
     /// Adds what was found in the rows that the samples are a smoothed path of.

@@ -59,7 +59,7 @@ pub struct FlightLog {
     /// The line of each sample, from 1; none of samples without a text.
     lines: Vec<u64>,
     notes: Vec<Fault>,
-    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
+    /// Whether its rows have an attitude; otherwise that of a coordinated flight takes its place.
     has_attitude: bool,
     /// What was found in the rows of a smoothed log, and the line of each.
     of_rows: Vec<(Finding, u64)>,
@@ -151,7 +151,7 @@ impl FlightLog {
         &self.notes
     }
 
-    /// Whether its samples have an attitude; otherwise that of a coordinated flight takes its place.
+    /// Whether its rows have an attitude; otherwise that of a coordinated flight takes its place.
     pub fn has_attitude(&self) -> bool {
         self.has_attitude
     }
@@ -161,6 +161,9 @@ impl FlightLog {
     pub fn judge(&self, judge: &mut Judge, count: usize) -> Result<(), (usize, Error)> {
         if !self.has_attitude {
             judge.ignore_attitude();
+        }
+        if !self.rows.is_empty() {
+            judge.expect_path();
         }
         judge.add_of_rows(self.of_rows.iter().map(|(finding, _)| *finding));
         for (index, sample) in self.samples.iter().take(count).enumerate() {

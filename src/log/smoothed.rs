@@ -119,7 +119,7 @@ impl FlightLog {
             notes,
             of_rows,
             rows,
-            has_attitude: true,
+            has_attitude: self.has_attitude,
             mapping: self.mapping.clone(),
             smoothing: None,
         })

@@ -30,7 +30,7 @@ mod write;
 mod written;
 
 pub(crate) use crate::base::text::MAX_TEXT_VALUE;
-pub use crate::base::text::{About, Fault, excerpt, listed, nearest};
+pub use crate::base::text::{About, Fault, excerpt, listed, nearest, text_in_quotes};
 pub use builtin::{BUILTIN_SCENES, builtin};
 pub use fault::MAX_FAULTS;
 pub use limits::Limits;

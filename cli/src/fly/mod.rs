@@ -20,7 +20,7 @@ use sins::scene::Play;
 use sins::unit::bus::Inputs;
 
 use crate::failure::{Failure, Kind};
-use crate::given::{Given, Hours, SceneArguments};
+use crate::given::{Given, Hours, Json, SceneArguments};
 use crate::interrupt;
 use crate::output::{OutputFile, Outputs};
 use crate::places::{OutputArguments, below};
@@ -55,6 +55,8 @@ pub struct Order {
     hours: Hours,
     #[command(flatten)]
     output: OutputArguments,
+    #[command(flatten)]
+    json: Json,
     /// Also writes the measured increments on which the INS navigates into this file in DIR, a row for each part of an update
     #[arg(long, value_name = "FILE.csv")]
     imu: Option<String>,
@@ -67,7 +69,7 @@ pub struct Order {
 }
 
 pub fn run(order: &Order) -> Result<(), Failure> {
-    let given = order.scene.load_for(&order.hours, FOR_LOGS)?;
+    let given = order.scene.load_judged(&order.hours, order.json, FOR_LOGS)?;
     let (folder, name) = order.output.places(&given)?;
     let imu = order.imu.as_ref().or(Some(&given.scene.output.imu).filter(|imu| !imu.is_empty()));
     let imu = imu.map(|file| below(&folder, file, "output.imu", "--imu")).transpose()?;
@@ -93,7 +95,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let rows = given.rows_of_path();
     let rows_file = (!rows.is_empty()).then(|| outputs.file(&file("_rows.csv"), &ROW_COLUMNS.join(",")));
     let rows_file = rows_file.transpose()?;
-    let quiet = order.output.is_quiet(&given);
+    let quiet = order.json.is_wanted || order.output.is_quiet(&given);
     interrupt::graceful();
     let (files, flown, ended) = flight::fly(&given, play, files, quiet)?;
     if let Err(failure) = &ended

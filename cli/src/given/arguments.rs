@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use super::{Given, Settings, Trust};
+use super::{Given, Json, Settings, Trust};
 use crate::failure::Failure;
 
 /// The scene to fly.
@@ -32,8 +32,14 @@ pub struct Hours {
 impl SceneArguments {
     /// [`Self::load`], flown for `hours`.
     pub fn load_for(&self, hours: &Hours, for_logs: &str) -> Result<Given, Failure> {
+        self.load_judged(hours, Json { is_wanted: false }, for_logs)
+    }
+
+    /// [`Self::load_for`], with what is found in its log printed in JSON, if that is wanted.
+    pub fn load_judged(&self, hours: &Hours, json: Json, for_logs: &str) -> Result<Given, Failure> {
         let settings = Settings { hours: hours.hours.clone(), ..self.settings.clone() };
-        Given::load(self.scene.as_deref(), self.log.as_deref(), &settings, &self.trust, for_logs)
+        let trust = Trust { json: json.is_wanted, ..self.trust };
+        Given::load(self.scene.as_deref(), self.log.as_deref(), &settings, &trust, for_logs)
     }
 
     /// The scene; a log without a scene is flown by the simulator of the scene in the text `for_logs`.

@@ -26,8 +26,8 @@ use sins::{Error, ErrorKind};
 
 pub use arguments::{Hours, SceneArguments};
 pub use file::{open_table, read_text};
-pub use gaps::{Gaps, unit_of_interval};
-pub use judged::{Trust, judge, judge_of, refused, sentence};
+pub use gaps::{Gaps, find as find_gaps, unit_of_interval};
+pub use judged::{Json, Trust, Verdict, judge_of, sentence};
 pub use kind::{FileKind, is_record};
 pub use log::{ReadLog, of_log, parse_log, read_bytes, read_log};
 pub use settings::Settings;
@@ -36,6 +36,7 @@ pub use whole::whole;
 pub use words::of_sample;
 
 use crate::failure::{Failure, Kind};
+use crate::terminal::print;
 use crate::units::rounded;
 use text::{Text, name_of};
 
@@ -151,21 +152,16 @@ impl Given {
             log,
         };
         if let (Source::Log(log), Some(path)) = (&given.source, &given.log) {
-            let findings = judged::judge(&given.scene, path, log, count);
-            let refused = trust.take(&findings).err();
-            match gaps::find(&given.scene, log, count) {
-                Ok(gaps) => given.gaps = gaps,
-                // The finding is the reason.
-                Err((index, error)) => {
-                    let why = gaps::refusal(&given.scene, log, &error);
-                    let failure = Failure::new(format!("{}: {why}", given.place(index)));
-                    return Err(Failure::all([failure].into_iter().chain(refused).collect()));
-                }
+            let mut verdict = Verdict::new(&given.scene, path, log, count);
+            let gaps = gaps::find(&given.scene, log, count);
+            if let Err((index, error)) = &gaps {
+                verdict.refuse(&given.scene, log, *index, error);
             }
-            if let Some(refused) = refused {
-                return Err(refused);
+            if trust.json {
+                print(&verdict.json())?;
             }
-            given.findings = findings.into_iter().map(|(_, words)| words).collect();
+            given.gaps = trust.take(&verdict, gaps.ok())?;
+            given.findings = verdict.lines().collect();
         }
         Ok(given)
     }

@@ -141,13 +141,17 @@ fn every_door_refuses_what_is_unusable_and_warns_of_what_is_doubtful() {
     ];
     for (log, words, is_unusable) in faulty(&folder) {
         let file = format!("{log}.csv");
+        // What no simulator takes is not flown by it.
+        let believed = ["fly", "-q", "--believe", "-o", "believed", &file];
+        let is_remedy = is_unusable && run(&folder, &believed).0 == 0;
         for door in doors {
             // Doubtful logs fly: the quick doors show it.
             let mut order = [door, &[file.as_str()]].concat();
             if !is_unusable {
                 order.push("--strict");
             }
-            let errors = rejected(&folder, &order);
+            let (code, said, errors) = run(&folder, &order);
+            assert_eq!((code, said.as_str()), (1 + i32::from(is_unusable), ""), "{door:?} {log}: {errors}");
             let place = errors.lines().find(|line| line.contains(words));
             assert!(
                 place.is_some_and(|line| line.starts_with(&file) && line.contains("Remedy: ")),
@@ -155,7 +159,7 @@ fn every_door_refuses_what_is_unusable_and_warns_of_what_is_doubtful() {
             );
             assert_eq!(
                 errors.lines().last().is_some_and(|line| line.contains("--believe")),
-                is_unusable,
+                is_remedy,
                 "{errors}"
             );
         }
@@ -175,11 +179,67 @@ fn a_row_that_a_simulator_refuses_is_unusable() {
         let errors = rejected(&folder, &[door, &["off.csv"]].concat());
         assert!(errors.contains("off.csv:202: ") && errors.contains(words), "{door:?}: {errors}");
     }
-    let said = done(&folder, &["log", "off.csv"]);
+    let (code, said, errors) = run(&folder, &["log", "off.csv"]);
+    assert_eq!((code, errors.as_str()), (2, "off.csv: a flight of this log is refused\n"));
     assert!(said.contains("off.csv:202: unusable: ") && said.contains(words), "{said}");
     assert!(!said.contains("nothing is doubtful"), "{said}");
-    let (code, _, errors) = run(&folder, &["log", "off.csv", "--strict"]);
-    assert!(code == 2 && errors == "off.csv: the log is refused (--strict)\n", "{errors}");
+    for door in [&["log"][..], &["scene", "check"], &["fly", "-q"]] {
+        let (code, said, _) = run(&folder, &[door, &["--json", "off.csv"]].concat());
+        assert!(code == 2 && said.contains(words), "{door:?}: {said}");
+        assert!(said.starts_with("{\"file\":\"off.csv\",\"level\":\"unusable\","), "{door:?}: {said}");
+    }
+}
+
+/// What is found in JSON: the same through every door, and no other text. The exit code follows the level.
+#[test]
+fn findings_are_printed_in_json() {
+    let folder = folder("json");
+    write(&folder.join("good.csv"), &circle(10, 60), true);
+    assert_eq!(
+        done(&folder, &["log", "good.csv", "--json"]),
+        "{\"file\":\"good.csv\",\"level\":null,\"findings\":[]}\n"
+    );
+    // Notes of the reader have no kind. A name in quotation marks.
+    let file = if cfg!(windows) { "it's.csv" } else { "a \"b\".csv" };
+    let named = read(folder.join("good.csv")).replace("velocity_up_m_s", "vu");
+    std::fs::write(folder.join(file), named.replace("velocity_", "v_")).unwrap();
+    let note = |column: &str, of: &str| {
+        format!(
+            "{{\"kind\":null,\"level\":\"note\",\"line\":1,\"sample\":null,\"time_s\":null,\"count\":null,\"figure\":null,\
+             \"acceleration_m_s2\":null,\"ins_error_m\":null,\"sentence\":\"{column} is not read; is it {of}?\",\"remedy\":null}}"
+        )
+    };
+    let said = done(&folder, &["fly", file, "--json"]);
+    let start = format!("{{\"file\":\"{}\",\"level\":\"note\",\"findings\":[", file.replace('"', "\\\""));
+    assert!(said.starts_with(&start) && said.ends_with("]}\n"), "{said}");
+    assert!(said.contains(&note("vu", "velocity_up_m_s")), "{said}");
+    let mut flown = 0;
+    for (log, words, is_unusable) in faulty(&folder) {
+        let file = format!("{log}.csv");
+        let code = if is_unusable { 2 } else { 1 };
+        let level = if is_unusable { "unusable" } else { "doubtful" };
+        let doors = [&["log"][..], &["scene", "check"], &["fly"]];
+        let [of_log, of_check, of_flight] = doors.map(|door| {
+            let strict: &[&str] = if is_unusable { &[] } else { &["--strict"] };
+            let (found, said, errors) = run(&folder, &[door, &[&file, "--json"], strict].concat());
+            assert_eq!(found, code, "{door:?} {log}: {errors}");
+            assert!(errors.lines().count() == 1 && errors.contains("refused"), "{door:?} {log}: {errors}");
+            said
+        });
+        assert!(of_log == of_check && of_log == of_flight, "{of_log}{of_check}{of_flight}");
+        let start = format!("{{\"file\":\"{file}\",\"level\":\"{level}\",\"findings\":[{{\"kind\":\"");
+        assert!(of_log.starts_with(&start) && of_log.contains(words), "{of_log}");
+        assert_eq!(of_log.lines().count(), 1, "{of_log}");
+        // What is flown all the same has no other text.
+        if run(&folder, &["fly", &file, "-q", "-o", "quiet", "--believe"]).0 != 0 {
+            continue;
+        }
+        let believed: &[&str] = if is_unusable { &["--believe"] } else { &[] };
+        let (found, said, errors) = run(&folder, &[&["fly", &file, "--json", "--force"], believed].concat());
+        assert!(found == 0 && said == of_log && errors.is_empty(), "{log}: {said}{errors}");
+        flown += 1;
+    }
+    assert!(flown > 4, "{flown}");
 }
 
 /// What flies all the same says so on standard error, in the summary, and in the pages above the curves.
