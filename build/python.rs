@@ -18,6 +18,7 @@ pub fn write(interface: &Interface) -> Vec<(&'static str, String)> {
         ("sins/_calls.py", include_str!("sins/_calls.py")),
         ("sins/_ensemble.py", include_str!("sins/_ensemble.py")),
         ("sins/_flight.py", include_str!("sins/_flight.py")),
+        ("sins/_judge.py", include_str!("sins/_judge.py")),
         ("sins/_scene.py", include_str!("sins/_scene.py")),
         ("sins/c.pyi", include_str!("sins/c.pyi")),
         ("sins/py.typed", include_str!("sins/py.typed")),

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from sins._analysis import budget as budget, recommend as recommend
     from sins._ensemble import Ensemble as Ensemble, Figures as Figures, ensemble as ensemble
     from sins._flight import Flight as Flight, Run as Run, fly as fly
+    from sins._judge import Finding as Finding, LogWarning as LogWarning
     from sins._scene import Trajectory as Trajectory, trajectory as trajectory
 
     Error = c.Error
@@ -41,6 +42,7 @@ _HOME = {
     "_analysis": ("Budget", "Recommendation", "budget", "recommend"),
     "_ensemble": ("Ensemble", "Figures", "ensemble"),
     "_flight": ("Flight", "Run", "fly"),
+    "_judge": ("Finding", "LogWarning"),
     "_scene": ("Trajectory", "trajectory"),
     "c": ("Error",),
 }

@@ -5,6 +5,7 @@ import itertools
 import operator
 import os
 import re
+import warnings
 from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
 
 import numpy as np
@@ -12,6 +13,7 @@ import numpy.typing as npt
 
 from sins import c
 from sins._calls import in_background
+from sins._judge import Finding, LogWarning, findings, warn
 
 Floats = npt.NDArray[np.float64]
 Setting = Union[str, Mapping[str, Any]]
@@ -39,6 +41,11 @@ class Trajectory:
         """Structured array of `sins.c.flight_sample`, shape (samples,)."""
         self.log = c.log_create(samples)
 
+    @property
+    def findings(self) -> "tuple[Finding, ...]":
+        """What the judge finds in it, the worst first."""
+        return findings(self.log)
+
     def __reduce__(self) -> "tuple[Any, ...]":
         return Trajectory, (self.samples,)
 
@@ -54,11 +61,36 @@ def numbers(name: str, values: Any) -> Floats:
     """An array of numbers, of a user's array that has nothing but numbers."""
     c.check_masks(name, values)
     try:
+        if name == "time_s":
+            values = _seconds(values)
         if np.asarray(values).dtype.kind in "cmM":
             raise TypeError("complex numbers, dates and times must be made real numbers first")
         return np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise TypeError(f"{name}: not numbers: {error}") from None
+
+
+def _seconds(values: Any) -> Any:
+    """Dates as seconds since the first, in UTC if they have a zone; lengths of time as seconds."""
+    array = np.asarray(values)
+    if array.dtype == object and hasattr(values, "dtype"):  # pandas: dates with a zone
+        array = np.asarray(values, dtype="datetime64[ns]")
+    if array.dtype.kind not in "mM" or array.ndim != 1 or not array.size:
+        return values
+    if np.isnat(array).any():
+        raise TypeError(f"{np.isnat(array).sum()} times are missing (NaT)")
+    since = array - array[0] if array.dtype.kind == "M" else array
+    return since.astype("timedelta64[ns]").astype(np.float64) * 1e-9
+
+
+def _is_in_radians(found: "Mapping[tuple[str, int], tuple[str, Any]]") -> bool:
+    """Whether positions in degrees are those of the sea off Ghana, unless they are in radians."""
+    ends = {"latitude": np.pi / 2, "longitude": np.pi}
+    named = [found[f"{name}_rad", 0] for name in ends]
+    if any(not name.endswith("_deg") for name, _ in named):
+        return False
+    largest = [np.max(np.abs(values), initial=0) * 180 / np.pi for _, values in named]
+    return all(0.05 < value <= end for value, end in zip(largest, ends.values()))
 
 
 def whole_number(name: str, value: Any, least: int, most: int) -> int:
@@ -72,22 +104,31 @@ def whole_number(name: str, value: Any, least: int, most: int) -> int:
     return number
 
 
-def trajectory(data: Any = None, **columns: Any) -> Trajectory:
+def trajectory(data: Any = None, *, judge: str = "warn", **columns: Any) -> Trajectory:
     """Makes a trajectory of arrays: a pandas.DataFrame, a dict of arrays, a structured array, or keywords alone.
 
     The names are those of the columns of a flight log: time_s, latitude_rad or latitude_deg, longitude_rad or _deg, height_m (above the
     ellipsoid), roll, pitch and heading likewise; if there are any, velocity_east_m_s, velocity_north_m_s, velocity_up_m_s; rate_x_rad_s and
     so on (against inertial space), force_x_m_s2 and so on (specific force), both in sensor axes; temperature_c. A keyword says where a
     quantity comes from: the name of a column of `data` (latitude_deg="lat"), an array of shape (samples,), or a number for all samples.
-    Quantities without a keyword are taken from the column of their own name. Without velocities the library derives them.
+    Quantities without a keyword are taken from the column of their own name. Without velocities the library derives them. Dates and lengths
+    of time (datetime64, timedelta64) become seconds; those of the index of a DataFrame are taken if nothing else is time_s.
+
+    judge: the samples are judged as the program judges a log. "warn": what is doubtful or unusable is a `LogWarning`; "strict": it is a
+    ValueError; "off": nothing. `Trajectory.findings` has all that is found.
 
     Raises `sins.Error` with the number of the sample: times not in order, a value out of its range. Masked values are a ValueError.
     """
+    if judge not in ("warn", "strict", "off"):
+        raise ValueError(f"judge = {judge!r}: must be 'warn', 'strict' or 'off'")
     names = [name for name, _, _, _ in _QUANTITIES]
     for name in columns:
         if name not in names:
             raise TypeError(f"no such quantity: {name}; did you mean {difflib.get_close_matches(name, names, 1, 0)[0]}?")
     of_data = () if data is None else data.dtype.names or () if isinstance(data, np.ndarray) else data
+    index = getattr(data, "index", None)
+    if "time_s" not in columns and "time_s" not in of_data and getattr(getattr(index, "dtype", None), "kind", None) in ("m", "M"):
+        columns = {**columns, "time_s": index}
     named = {(field, place) for name, field, place, _ in _QUANTITIES if name in columns}
     found: "dict[tuple[str, int], tuple[str, Any]]" = {}
     for name, field, place, factor in _QUANTITIES:
@@ -116,7 +157,17 @@ def trajectory(data: Any = None, **columns: Any) -> Trajectory:
             raise ValueError(f"{name} has the shape {values.shape}: expected {shape}, as time_s")
         to[...] = values
     samples["flags"] = sum(_FLAGS.get(field, 0) for field in fields) + (0 if "velocity_enu_m_s" in fields else c.SAMPLE_NO_VELOCITY)
-    return Trajectory(samples)
+    made = Trajectory(samples)
+    if judge == "off":
+        return made
+    if _is_in_radians(found):
+        what = "latitude_deg and longitude_deg are those of the sea off Ghana, or radians; radians are latitude_rad and longitude_rad"
+        warnings.warn(what, LogWarning, 2)
+    doubts = [finding for finding in made.findings if finding.level != "note"]
+    if judge == "strict" and doubts:
+        raise ValueError("; ".join(map(str, doubts)))
+    warn(doubts)
+    return made
 
 
 Flown = Union[str, "os.PathLike[str]", Trajectory]
@@ -208,6 +259,7 @@ class Scene:
             with open(os.path.join(folder, c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)), "rb") as file:
                 text = file.read()
             self.log = in_background(lambda: c.log_parse(text, self.handle)[0])
+            warn(finding for finding in findings(self.log, c.scene_get_options(self.handle)) if finding.level != "note")
         self.info = c.scene_get_samples(self.handle, self.log)
         """Number of samples, their period and duration."""
         texts = (c.SCENE_TEXT_TITLE, c.SCENE_TEXT_LOG, c.SCENE_TEXT_BUILTIN)

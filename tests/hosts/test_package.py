@@ -6,6 +6,7 @@ Needs SINS_LIBRARY, PYTHONPATH, numpy, pandas and matplotlib, and the program si
 import copy
 import doctest
 import io
+import json
 import os
 import pathlib
 import pickle
@@ -95,13 +96,61 @@ class Flights(unittest.TestCase):
         times = np.arange(3.0)
         made = sins.trajectory(time_s=times, latitude_deg=[10, 20, 30], longitude_rad=0.5, height_m=1, roll_deg=4, pitch_deg=5,
                                heading_deg=[350, 0, 10], rate_x_rad_s=times, rate_y_rad_s=1, rate_z_rad_s=2, force_x_m_s2=3,
-                               force_y_m_s2=4, force_z_m_s2=times, temperature_c=-40).samples
+                               force_y_m_s2=4, force_z_m_s2=times, temperature_c=-40, judge="off").samples
         np.testing.assert_array_equal(np.rad2deg(made["latitude_rad"]).round(12), [10, 20, 30])
         np.testing.assert_array_equal(made["longitude_rad"], 0.5)
         np.testing.assert_array_equal(made["angular_rate_rad_s"], [[0, 1, 2], [1, 1, 2], [2, 1, 2]])
         np.testing.assert_array_equal(made["specific_force_m_s2"], [[3, 4, 0], [3, 4, 1], [3, 4, 2]])
         np.testing.assert_array_equal(made["temperature_c"], -40)
         self.assertEqual(set(made["flags"]), {c.SAMPLE_NO_VELOCITY | c.SAMPLE_ANGULAR_RATE | c.SAMPLE_SPECIFIC_FORCE | c.SAMPLE_TEMPERATURE})
+
+    def test_times_are_dates_or_lengths_of_time_too(self):
+        """With and without a zone, over the end of summer time, as columns and as the index of a table."""
+        columns = {"latitude_deg": 48, "longitude_deg": 11, "height_m": 1.0, "roll_rad": 0, "pitch_rad": 0, "heading_rad": 0}
+        dates = pandas.date_range("2026-10-25 00:59:50", periods=200, freq="100ms", tz="UTC")
+        local = dates.tz_convert("Europe/Berlin")
+        lengths = pandas.timedelta_range("5s", periods=200, freq="100ms")
+        for times, first in [(dates, 0), (local, 0), (pandas.Series(local), 0), (dates.tz_localize(None), 0),
+                             (dates.tz_localize(None).to_numpy().astype("datetime64[us]"), 0), (lengths, 5), (lengths.to_numpy(), 5)]:
+            with self.subTest(type(times), first=first):
+                made = sins.trajectory(time_s=times, **columns)
+                np.testing.assert_allclose(made.samples["time_s"], first + np.arange(200) / 10, atol=1e-9)
+        frame = pandas.DataFrame({name: np.full(200, float(value)) for name, value in columns.items()}, index=local)
+        np.testing.assert_allclose(sins.trajectory(frame).samples["time_s"], np.arange(200) / 10, atol=1e-9)
+        with self.assertRaisesRegex(TypeError, "no time_s"):
+            sins.trajectory(frame.reset_index(drop=True))
+
+    def test_what_flies_is_judged(self):
+        """Trajectories and logs: a warning at the line of the user, an error, or nothing; the findings are those of the program."""
+        times = np.arange(0, 60, 0.1)
+        north = {"time_s": times, "latitude_deg": 48 + np.rad2deg(100 * times / 6.37e6), "longitude_deg": 11, "height_m": 500,
+                 "roll_deg": 0, "pitch_deg": 0, "heading_deg": 0, "velocity_east_m_s": 0, "velocity_up_m_s": 0}
+        good, knots = {**north, "velocity_north_m_s": 100}, {**north, "velocity_north_m_s": 194.4}
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertNotIn("unusable", {finding.level for finding in sins.trajectory(**good, judge="strict").findings})
+            judged = sins.trajectory(**knots, judge="off")
+        with self.assertWarnsRegex(sins.LogWarning, "^unusable: velocity is 1.94 times the displacement .knots") as warned:
+            sins.trajectory(**knots)
+        self.assertEqual(warned.filename, __file__)
+        with self.assertRaisesRegex(ValueError, "^unusable: velocity is 1.94 times"):
+            sins.trajectory(**knots, judge="strict")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "knots.csv"
+            frame = pandas.DataFrame({name: np.broadcast_to(value, len(times)) for name, value in knots.items()})
+            frame.to_csv(path, index=False)
+            with self.assertWarnsRegex(sins.LogWarning, "knots") as warned:
+                sins.fly(path)
+            self.assertEqual(warned.filename, __file__)
+            said = subprocess.run([PROGRAM, "log", path, "--json"], capture_output=True, check=False).stdout
+        found = [one for one in json.loads(said)["findings"] if one["kind"]]
+        self.assertEqual([(one["level"], one["kind"], one["sample"], one["figure"]) for one in found],
+                         [(one.level, one.kind, one.sample, one.figure) for one in judged.findings])
+        for one, other in zip(found, judged.findings):
+            self.assertEqual(f"{one['sentence']}. Remedy: {one['remedy']}", other.sentence)
+        radians = {**north, "latitude_deg": np.deg2rad(north["latitude_deg"]), "longitude_deg": np.deg2rad(11), "velocity_north_m_s": 100}
+        with self.assertWarnsRegex(sins.LogWarning, "radians are latitude_rad"):
+            sins.trajectory(**radians)
 
     def test_what_is_wrong_is_told(self):
         good = {"time_s": np.arange(3.0), "latitude_rad": 0.1, "longitude_rad": 0.2, "height_m": 1.0, "roll_rad": 0, "pitch_rad": 0,
@@ -137,7 +186,10 @@ class Flights(unittest.TestCase):
              lambda: sins.fly("patrol", accel={"bias_micro_g": 1}, accelerometer={"bias_micro_g": 2})),
             (TypeError, "output.every_s is given twice", lambda: sins.fly("patrol", every_s=1, output={"every_s": 2})),
             (TypeError, "flight.hours is given twice", lambda: sins.fly("patrol", hours=1, flight={"hours": 2})),
-            (TypeError, "time_s: not numbers: .*dates", lambda: sins.trajectory(**{**good, "time_s": pandas.date_range("2026", periods=3)})),
+            (TypeError, "height_m: not numbers: .*dates", lambda: sins.trajectory(**lacking, height_m=pandas.date_range("2026", periods=3))),
+            (TypeError, "time_s: not numbers: 1 times are missing",
+             lambda: sins.trajectory(**{**good, "time_s": np.array(["2026-01-01", "NaT", "2026-01-03"], "datetime64[s]")})),
+            (ValueError, "judge = 'loud': must be 'warn', 'strict' or 'off'", lambda: sins.trajectory(**good, judge="loud")),
             (TypeError, "height_m: not numbers: complex", lambda: sins.trajectory(**lacking, height_m=np.array([1j, 2, 3]))),
             (ValueError, "at most 360000", lambda: sins.recommend("patrol", hours=48, position_m=1)),
         ]:
@@ -230,11 +282,12 @@ class Copies(unittest.TestCase):
             "Ensemble": (drawn, lambda one: [one.position_error_m.tobytes(), one.first_run, repr(one)]),
             "Figures": (drawn.figures(), repr),
             "Trajectory": (truth, lambda one: record(sins.fly(one, **GRADE))),
+            "Finding": (sins.Finding("note", "gaps", 1, 0.5, 2, 3.0, 0.0, 0.0, "two gaps"), str),
             "Budget": (sins.budget("racetrack", hours=0.01, gyro={"bias_deg_h": 1}), lambda one: [str(one), bytes(one.whole)]),
             "Recommendation": (sins.recommend("aerobatics", hours=0.01, position_m=1), lambda one: [one.options, bytes(one.cost)]),
         }
         every = {name for name in sins.__all__ if isinstance(getattr(sins, name), type)}
-        self.assertEqual(every, {*uses, "Flight", "Error"})
+        self.assertEqual(every, {*uses, "Flight", "Error", "LogWarning"})
         for name, (made, use) in uses.items():
             expected = use(made)
             for copies in self.WAYS:
@@ -336,7 +389,7 @@ class Interrupts(unittest.TestCase):
     def test_an_error_of_an_ensemble_names_the_sample_of_the_flight(self):
         frame = log("fighter_aerobatics.csv")
         frame.loc[20_000:, "latitude_rad"] += 0.1
-        truth = sins.trajectory(frame)
+        truth = sins.trajectory(frame, judge="off")
         self.assertRaisesRegex(sins.Error, r"\(samples\[20000\]\)$", sins.ensemble, truth, runs=3, **GRADE)
 
 

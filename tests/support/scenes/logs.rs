@@ -136,10 +136,19 @@ fn recorded(truths: &[Truth], draws: &mut Draws, rate_hz: f64, is_upright: bool)
             format!("{date}23:{:02}:{:02}.{}", 50 + tenths / 600, tenths / 10 % 60, tenths % 10)
         })
     };
-    let format = draws.of(&["s", "hms", "iso", "row", "dmy", "mdy"]);
+    let format = draws.of(&["s", "hms", "iso", "row", "dmy", "mdy", "mmss"]);
     keys += &match format {
         "s" => column("time", "T", ", unit = \"ms\"", of(|truth| 1e3 * truth.time_s)),
         "hms" => column("time", "T", "", clock("")),
+        "mmss" => column(
+            "time",
+            "T",
+            "",
+            Box::new(|truth| {
+                let tenths = (truth.time_s * 10.0).round() as u64;
+                format!("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10)
+            }),
+        ),
         "iso" => column("time", "T", "", clock("2024-02-03T")),
         "dmy" => column("time", "T", "", clock("3/2/2024 ")),
         "mdy" => column("time", "T", "", clock("2/3/2024 ")),
