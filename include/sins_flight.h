@@ -193,7 +193,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 /* Judges of samples. */
 
 /** Most findings of a flight. */
-#define SINS_FINDINGS_MAX 28
+#define SINS_FINDINGS_MAX 29
 
 /** What was found, and what the figure of the finding is. */
 typedef enum sins_finding_kind {
@@ -252,7 +252,9 @@ typedef enum sins_finding_kind {
     /** Attitude with noise; figure: noise of an angle [rad]. */
     SINS_FINDING_NOISY_ATTITUDE = 26,
     /** Velocity that follows the positions late; figure: the delay, negative if it is early [s]. */
-    SINS_FINDING_VELOCITY_LATE = 27
+    SINS_FINDING_VELOCITY_LATE = 27,
+    /** Attitude in steps; figure: the step of an angle [rad]. */
+    SINS_FINDING_COARSE_ATTITUDE = 28
 } sins_finding_kind;
 
 /** What a finding means for a flight of these samples. */

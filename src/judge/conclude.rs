@@ -299,22 +299,31 @@ impl Judge {
         }
     }
 
-    /// Finds white noise of the attitude. Ideal gyros sense it, and the steps of an INS do not commute: its attitude walks at random.
+    /// Finds white noise of the attitude, or that of its steps. Ideal gyros sense it, and the steps of an INS do not commute: its attitude
+    /// walks at random.
     fn find_attitude_noise(&self, found: &mut Findings) {
-        // Gusts are white to rows that are rare.
-        if self.stamps.usual_s() > OFTEN_S {
-            return;
-        }
-        let [roll, pitch, heading] = [0, 1, 2].map(|axis| self.attitude_noise.sigma_above(axis, WHITE));
         let duration_s = self.last.map_or(0.0, |last| last.time_s) - self.first_s;
         let (rows, length_s) = (duration_s / self.stamps.usual_s(), duration_s.min(LONGEST_S));
-        let drift = CONING * heading * hypot(roll, pitch) * rows.sqrt();
-        // The deviation of the second integral of a random walk is its last value times t²/√20.
-        let ins_error_m = G * drift * length_s * length_s / 20f64.sqrt();
-        let largest = roll.max(pitch).max(heading);
+        let ins_error_m = |[roll, pitch, heading]: [f64; 3]| {
+            let drift = CONING * heading * hypot(roll, pitch) * rows.sqrt();
+            // The deviation of the second integral of a random walk is its last value times t²/√20.
+            G * drift * length_s * length_s / 20f64.sqrt()
+        };
+        // Gusts are white to rows that are rare.
+        let is_often = self.stamps.usual_s() <= OFTEN_S;
+        let white =
+            [0, 1, 2].map(|axis| if is_often { self.attitude_noise.sigma_above(axis, WHITE) } else { 0.0 });
+        let steps = self.angle_steps.steps_rad();
+        let stairs = [0, 1, 2].map(|axis| white[axis].max(self.attitude_noise.of_stairs(axis, steps[axis])));
+        let of = |kind, sigmas, figures: [f64; 3]| {
+            (kind, ins_error_m(sigmas), figures.into_iter().fold(0.0, f64::max))
+        };
+        let noise = of(Kind::NoisyAttitude, white, white);
+        let coarse = of(Kind::CoarseAttitude, stairs, steps);
+        let (kind, ins_error_m, figure) = if coarse.1 > 2.0 * noise.1 { coarse } else { noise };
         if ins_error_m > 0.1 * NOISE_ERROR_M {
             let level = if ins_error_m > NOISE_ERROR_M { Level::Doubtful } else { Level::Note };
-            found.add(Finding { ins_error_m, ..Finding::new(Kind::NoisyAttitude, level, largest) });
+            found.add(Finding { ins_error_m, ..Finding::new(kind, level, figure) });
         }
     }
 

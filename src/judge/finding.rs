@@ -81,6 +81,8 @@ pub enum Kind {
     NoisyAttitude = 26,
     /// Velocity that follows the positions late; figure: the delay, negative if it is early [s].
     VelocityLate = 27,
+    /// Attitude in steps; figure: the step of an angle [rad].
+    CoarseAttitude = 28,
 }
 
 /// What explains a finding.
@@ -285,7 +287,7 @@ impl Finding {
             {
                 "state the noise of the rows (log.position_sigma_m), or leave those out that are wrong"
             }
-            Kind::NoisyAttitude if self.is_of_path => {
+            Kind::NoisyAttitude | Kind::CoarseAttitude if self.is_of_path => {
                 "state the noise of the attitude of the rows (log.attitude_sigma_deg)"
             }
             Kind::TimeOrder => "sort the rows, or leave the late ones out",
@@ -297,7 +299,7 @@ impl Finding {
             | Kind::NoisyPositions
             | Kind::HeldRows
             | Kind::Spike => "smooth the log, or give the velocities",
-            Kind::NoisyVelocities | Kind::NoisyAttitude => "smooth the log",
+            Kind::NoisyVelocities | Kind::NoisyAttitude | Kind::CoarseAttitude => "smooth the log",
             Kind::Acceleration => "if the vehicle does not do this, smooth the log",
             Kind::NotYetFixed => "leave these rows out",
             Kind::VelocityUnit | Kind::VerticalUnit => "state the unit and the axes of the velocity",

@@ -36,13 +36,13 @@ use induced_error::InducedError;
 use late::Lateness;
 use noise::Noise;
 use positions::Positions;
-use resolution::Resolution;
+use resolution::{AttitudeSteps, Resolution};
 use row::Row;
 use stamps::Stamps;
 use wrap::Wrap;
 
 /// Largest number of findings of a flight.
-pub const MAX_FINDINGS: usize = 28;
+pub const MAX_FINDINGS: usize = 29;
 
 /// Cosine of the pitch below which the angles of the attitude say nothing about its noise.
 const NEAR_ZENITH: f64 = 0.2;
@@ -73,6 +73,7 @@ pub struct Judge {
     noise: Noise,
     velocity_noise: Noise,
     attitude_noise: Noise,
+    angle_steps: AttitudeSteps,
     lateness: Lateness,
     positions: Positions,
     blocks: Blocks,
@@ -103,6 +104,7 @@ impl Judge {
             noise: Noise::new()?,
             velocity_noise: Noise::new()?,
             attitude_noise: Noise::new()?,
+            angle_steps: AttitudeSteps::new(),
             lateness: Lateness::new(),
             positions: Positions::new(),
             blocks: Blocks::new()?,
@@ -234,6 +236,7 @@ impl Judge {
             );
             let usual_s = self.stamps.usual_s();
             self.attitude_noise.add(turn / interval_s, |v| v * usual_s, &[0.0; 3]);
+            self.angle_steps.add(now);
         }
     }
 }

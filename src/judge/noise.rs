@@ -28,6 +28,8 @@ pub(super) struct Noise {
     /// Of each component, as those of the fourth.
     third: Box<[Histogram]>,
     fourth: Box<[Histogram]>,
+    /// Sum of the squares of the third differences, of each component.
+    third_squares: [f64; 3],
     /// Number of second differences above half a step, of each component.
     above_half_step: [u64; 3],
     /// First, second and third difference at the last value; the number of them that are known.
@@ -43,6 +45,7 @@ impl Noise {
         Ok(Self {
             third: filled(3, Histogram::new())?,
             fourth: filled(3, Histogram::new())?,
+            third_squares: [0.0; 3],
             above_half_step: [0; 3],
             differences: [Vector3::new(0.0, 0.0, 0.0); 3],
             known: 0,
@@ -74,6 +77,7 @@ impl Noise {
             let (second, third) = (local(&second), local(&third));
             for axis in 0..3 {
                 self.third[axis].add(third[axis].abs());
+                self.third_squares[axis] += third[axis] * third[axis];
                 self.above_half_step[axis] +=
                     u64::from(steps[axis] > 0.0 && second[axis].abs() > 0.5 * steps[axis]);
             }
@@ -110,6 +114,13 @@ impl Noise {
     pub fn sigma_above(&self, axis: usize, ratio: f64) -> f64 {
         let (third, fourth) = (self.third[axis].median() / THIRD, self.fourth[axis].median() / FOURTH);
         if self.count() >= LEAST && fourth > ratio * third { third } else { 0.0 }
+    }
+
+    /// White noise whose third differences have the mean square of those of a component, whose values are multiples of `step`: at most
+    /// that of a rounding that is new in each value.
+    pub fn of_stairs(&self, axis: usize, step: f64) -> f64 {
+        let third = (self.third_squares[axis] / self.count().max(1) as f64).sqrt();
+        (third / 20f64.sqrt()).min(step / 12f64.sqrt())
     }
 
     /// Noise of rounding of a component, whose values are multiples of `step`; 0: rounding does not show.

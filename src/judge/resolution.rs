@@ -1,6 +1,7 @@
 //! Steps of the positions: a quantum of which all values are multiples, or numbers of 32 bits.
 
 use super::row::Row;
+use crate::base::math::{Euler, wrap_angle};
 use crate::base::units::DEG;
 use crate::earth::Earth;
 
@@ -9,6 +10,12 @@ const ANGLES_DEG: [f64; 8] = [1e-2, 1e-3, 1e-4, 1.0 / 60e3, 1e-5, 1.0 / 600e3, 1
 
 /// Steps of the height [m]: 100, 25 and 10 feet, and metres.
 const HEIGHTS_M: [f64; 8] = [30.48, 10.0, 7.62, 3.048, 1.0, 0.3048, 0.1, 0.01];
+
+/// Steps of an angle of the attitude [deg].
+const ATTITUDE_DEG: [f64; 8] = [1.0, 0.5, 0.25, 0.2, 0.1, 0.05, 0.02, 0.01];
+
+/// Bends by one step that rounding makes at least.
+const LEAST_BENDS: u64 = 20;
 
 /// A value is a multiple of a step if it is within this share of the step. A value agrees by chance with a probability of 0.04.
 const WITHIN: f64 = 0.02;
@@ -86,6 +93,61 @@ impl Steps {
 fn is_multiple(value: f64, step: f64) -> bool {
     let multiple = value / step;
     (multiple - multiple.round()).abs() <= WITHIN
+}
+
+/// Steps of an angle, whose values go on beyond a turn.
+#[derive(Debug, Clone)]
+struct AngleSteps {
+    of: Steps,
+    /// The last value, and the one before less it [rad].
+    last: [f64; 2],
+    /// Second differences that are not 0, and those of one step.
+    bends: [u64; 2],
+}
+
+impl AngleSteps {
+    const fn new() -> Self {
+        Self { of: Steps::new(), last: [0.0; 2], bends: [0; 2] }
+    }
+
+    fn add(&mut self, angle: f64) {
+        let difference = wrap_angle(angle - self.last[0]);
+        self.of.add(&ATTITUDE_DEG, (self.last[0] + difference) / DEG, None);
+        if let Some((step, false)) = self.of.step(&ATTITUDE_DEG) {
+            let bend = (difference - self.last[1]).abs() / (step * DEG);
+            self.bends[0] += u64::from(bend > 0.5);
+            self.bends[1] += u64::from((0.5..1.5).contains(&bend));
+        }
+        self.last = [self.last[0] + difference, difference];
+    }
+
+    /// The step [rad]; 0: none. Values that are rounded bend by one step; a turn by whole degrees a row does not.
+    fn step_rad(&self) -> f64 {
+        let is_rounded = self.bends[1] >= LEAST_BENDS && 2 * self.bends[1] > self.bends[0];
+        let step = self.of.step(&ATTITUDE_DEG).filter(|(_, is_float32)| is_rounded && !is_float32);
+        step.map_or(0.0, |(step, _)| step * DEG)
+    }
+}
+
+/// Steps of roll, pitch and heading.
+#[derive(Debug, Clone)]
+pub(super) struct AttitudeSteps([AngleSteps; 3]);
+
+impl AttitudeSteps {
+    pub const fn new() -> Self {
+        Self([const { AngleSteps::new() }; 3])
+    }
+
+    pub fn add(&mut self, euler: &Euler) {
+        for (steps, angle) in self.0.iter_mut().zip([euler.roll, euler.pitch, euler.heading]) {
+            steps.add(angle);
+        }
+    }
+
+    /// Each [rad]; 0: none.
+    pub fn steps_rad(&self) -> [f64; 3] {
+        [0, 1, 2].map(|angle| self.0[angle].step_rad())
+    }
 }
 
 /// Steps of the positions.

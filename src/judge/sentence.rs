@@ -42,6 +42,7 @@ impl fmt::Display for Finding {
             (Kind::NoisyPositions, _) => write!(f, "positions have {figure} m of noise"),
             (Kind::NoisyVelocities, _) => write!(f, "velocities have {figure} m/s of noise"),
             (Kind::NoisyAttitude, _) => write!(f, "attitude has {degrees} deg of noise"),
+            (Kind::CoarseAttitude, _) => write!(f, "attitude steps by {degrees} deg"),
             (Kind::VelocityLate, _) => {
                 let word = if self.figure < 0.0 { "early" } else { "late" };
                 let delay = Digits(self.figure.abs());

@@ -429,6 +429,32 @@ fn noise_of_the_attitude_is_found() {
     }
 }
 
+/// An attitude in whole degrees. Hundredths of a degree, as recorders have them, are none of it.
+#[test]
+fn steps_of_the_attitude_are_found() {
+    let rounded = |samples: &[FlightSample], step: f64| {
+        each(samples, |_, sample| {
+            let euler = &mut sample.euler;
+            for angle in [&mut euler.roll, &mut euler.pitch, &mut euler.heading] {
+                *angle = (*angle / step).round() * step;
+            }
+        })
+    };
+    for rate_hz in [10.0, 50.0] {
+        let whole = |samples: &[FlightSample]| rounded(samples, DEG);
+        assert_eq!(missed(&[Kind::CoarseAttitude], Level::Doubtful, rate_hz, whole), NONE);
+        for flight in moving() {
+            let samples = flight.at(rate_hz);
+            let fine = judged(&rounded(&samples, 0.01 * DEG));
+            assert!(
+                fine.iter().all(|finding| finding.kind != Kind::CoarseAttitude),
+                "{}: {fine:?}",
+                flight.name
+            );
+        }
+    }
+}
+
 /// Velocities on another clock: the delay is found, to a tenth.
 #[test]
 fn late_velocities_are_found() {
