@@ -3,106 +3,24 @@
 //     SINS=target/release/sins HOURS=48 node --test tests/web/page.mjs      see tests/web.sh
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { resolve } from "node:path";
 import test, { after, before } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { pathToFileURL } from "node:url";
 
-import { KEPT, browser, kept_from, page_with, processor_times } from "./browser.mjs";
+import { KEPT, kept_from, page_with, processor_times } from "./browser.mjs";
+import { address, downloaded, drop, field, fly, opened, out, press, same_as_program, set, start, state, stop, tab, text, unfold, until, write } from "./user.mjs";
 
-const { SINS, HOURS = "1", SINS_PAGE = "target/web/sins.html", SINS_MODULE } = process.env;
-const out = resolve("target/web"), address = pathToFileURL(resolve(SINS_PAGE)).href;
+const { HOURS = "1", SINS_PAGE = "target/web/sins.html", SINS_MODULE } = process.env;
 const MOST_LINES = 2500, MOST_BYTES = 2.5e6;
 /** Most time of the page's workers in the time that Node needs for the same flight, and of a task of the page in that of a flown hour. */
 const MOST_TO_NODE = 3, MOST_OF_HOUR = 1 / 6;
-let chromium, own_context, hour_ms;
-
-before(async () => {
-    mkdirSync(`${out}/flown`, { recursive: true });
-    chromium = await browser();
-    hour_ms = await hour_in_node_ms();
-});
-after(() => chromium.close());
-
-/** Time of the processor that Node needs for an hour of simulation 2, flown sample by sample by the page's module [ms]. */
-async function hour_in_node_ms() {
-    const { load } = await import(pathToFileURL(resolve(SINS_MODULE)));
-    const sins = await load(), scene = sins.scene_create_builtin("simulation2"), { rate_hz } = sins.scene_get_setup(scene);
-    const sim = sins.scene_create_simulator(scene), flight = sins.scene_create_flight(scene), sample = new sins.flight_sample();
-    const began = process.cpuUsage();
-    for (let k = 0; k < 3600 * rate_hz; k++) {
-        sins.flight_sample_at(flight, k / rate_hz, sample);
-        sins.scene_prepare(scene, sim, 0, sample);
-        sins.push_sample(sim, sample);
-        sins.step(sim);
-    }
-    return process.cpuUsage(began).user / 1000;
-}
-
-/** The page, opened from its file. Errors within it fail the test; requests to others too. */
-async function opened(context, { hash = "", ...options } = {}) {
-    own_context = await chromium.newContext({ viewport: { width: 1360, height: 900 }, ...options });
-    const page = await own_context.newPage(), errors = [];
-    page.on("pageerror", (error) => errors.push(error.stack));
-    page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
-    page.on("request", (request) => /^(file|data|blob):/.test(request.url()) || errors.push(request.url()));
-    const { close } = own_context;
-    context.after(async () => {
-        await close.call(page.context());
-        assert.deepEqual(errors, []);
-    });
-    await page.goto(address + hash);
-    await page.waitForSelector("body[data-ready]");
-    return page;
-}
-
-const state = (page) => page.evaluate(() => document.getElementById("state").value);
-const until = (page, pattern) => page.waitForFunction((source) => new RegExp(source).test(document.getElementById("state").value), pattern.source, { timeout: 600000, polling: 50 });
-const press = (page, name) => page.click(`[data-do="${name}"]`);
-const field = (path) => `[data-path="${path}"]`;
-const tab = (page, place) => page.click(`#tab${place}`);
-const text = (page) => page.evaluate(() => document.getElementById("text")?.value);
 const [TRAJECTORY, SENSORS, , UNIT, TEXT] = [0, 1, 2, 3, 4];
+let chromium, hour_ms;
 
-async function set(page, path, value) {
-    const at = page.locator(field(path)).first();
-    await ((await at.evaluate((own) => own.tagName)) === "SELECT" ? at.selectOption(value) : at.fill(value));
-    await at.blur();
-}
-
-/** Opens all folded parts of the settings. */
-const unfold = (page) => page.evaluate(() => document.querySelectorAll("aside details").forEach((own) => (own.open = true)));
-
-/** Writes the whole text of the scene. */
-async function write(page, scene) {
-    await tab(page, TEXT);
-    await page.fill("#text", scene);
-    await page.waitForFunction(() => document.getElementById("text").getAttribute("aria-invalid") === "false");
-    await page.waitForTimeout(700);
-}
-
-async function downloaded(page, what) {
-    const [download] = await Promise.all([page.waitForEvent("download"), press(page, what)]);
-    return readFileSync(await download.path());
-}
-
-async function fly(page) {
-    await press(page, "start");
-    await until(page, /^(Finished|已完成)/);
-}
-
-/** Saves scene and records, and compares the records with those of the program for this scene. */
-async function same_as_program(page, name) {
-    const [scene, records] = [await downloaded(page, "save"), await downloaded(page, "records")];
-    writeFileSync(`${out}/flown/${name}.toml`, scene);
-    execFileSync(SINS, ["fly", `${out}/flown/${name}.toml`, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
-    const expected = readFileSync(`${out}/flown/expected/${name}.csv`);
-    assert.ok(expected.length > 10000);
-    assert.ok(records.equals(expected), `${name}: other records than those of sins fly`);
-    return scene.toString();
-}
+before(async () => ({ chromium, hour_ms } = await start()));
+after(stop);
 
 test("one file of at most 2.5 MB, made of at most 2500 lines", () => {
     const lines = readdirSync("c_examples/page").map((name) => readFileSync(`c_examples/page/${name}`, "utf8").split("\n").length - 1);
@@ -302,18 +220,6 @@ test("wrong input is marked at its field, told, and not flown", async (context) 
     await drop(page, `${out}/short.csv`);
     await until(page, /^short.csv: .*missing columns: /);
 });
-
-/** Drops a file on the page. */
-async function drop(page, path) {
-    await page.evaluate(() => document.body.append(Object.assign(document.createElement("input"), { type: "file", id: "dropped", hidden: true })));
-    await page.setInputFiles("#dropped", path);
-    await page.evaluate(() => {
-        const data = new DataTransfer(), input = document.getElementById("dropped");
-        data.items.add(input.files[0]);
-        input.remove();
-        document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
-    });
-}
 
 test("form and text follow each other, and a link is the experiment", async (context) => {
     const page = await opened(context, { hash: "#rest" });
