@@ -138,6 +138,7 @@ export class Cost {
         const costs = this.points.map(({ us_per_s }) => us_per_s), span = costs.length ? [Math.min(...costs), Math.max(...costs)] : [];
         const line = this.sensors_m === null || span.length === 0 ? [[], []] : [Float64Array.from(span), Float64Array.from(span, () => this.sensors_m)];
         const data = [null, ...this.schemes.map((scheme) => of(this.points.filter((point) => point.scheme === scheme))), line, of(own), of(chosen)];
+        this.plot_at.hidden = costs.length === 0;
         const key = JSON.stringify([text("time"), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.plot?.destroy();

@@ -46,9 +46,9 @@ export class Curves {
     /** Shows a quantity of the points. has_model: whether there is error data 1. */
     show(quantity, points, has_model) {
         [this.quantity, this.points, this.has_model] = [quantity, points, has_model];
+        if (!points?.time.length) return this.clear();
         const triples = quantity.triples.filter((name, k) => k === 0 || quantity.names || has_model);
-        const columns = points ? triples.map((name) => points[name]) : triples.map(() => [[], [], []]);
-        const time = points?.time ?? [], [time_unit, time_size] = unit_of("time", time.at(-1) ?? 0);
+        const columns = triples.map((name) => points[name]), { time } = points, [time_unit, time_size] = unit_of("time", time.at(-1));
         const names = parts(quantity.names ?? "data"), axes = parts(quantity.axes);
         const panels = axes.map((axis, k) => {
             const own = columns.map((triple) => triple[k]), [unit, size] = unit_of(quantity.kind, largest_of(own));
@@ -69,6 +69,13 @@ export class Curves {
             const last = data.at(-1).at(-1);
             plot.root.setAttribute("aria-label", `${quantity.name()}, ${axis}: ${last === undefined ? "-" : shown(last, 4)} ${unit}`);
         });
+    }
+
+    /** Without a flight there is a sentence, and no axes. */
+    clear() {
+        this.plots.forEach((plot) => plot.destroy());
+        [this.plots, this.key] = [[], ""];
+        this.target.replaceChildren(element("p", { class: "nothing" }, text("no_curves")));
     }
 
     make({ axis, unit, size, data }, labels, time_unit, is_last) {
@@ -92,7 +99,7 @@ export class Curves {
                 },
                 series: [{ label: text("time"), value: (_, value) => (value === null ? "" : `${shown(value, 6)} ${time_unit}`) }, ...series],
                 axes: [
-                    { ...own_axis, size: is_last ? 46 : 12, ...(is_last ? { label: `${text("time")} [${time_unit}]`, labelSize: 18 } : { values: () => [] }) },
+                    { ...own_axis, size: is_last ? 46 : 16, ...(is_last ? { label: `${text("time")} [${time_unit}]`, labelSize: 18 } : { values: () => [] }) },
                     { ...own_axis, size: 62, label: `${axis} [${unit}]`, labelSize: 18, values: (_, ticks) => ticks.map((tick) => shown(tick, 6)) },
                 ],
                 cursor: { sync: { key: "time" }, drag: { x: true, y: false } },

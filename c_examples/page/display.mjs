@@ -26,6 +26,7 @@ export class Display {
         this.pace.onchange = () => pilot.ask("pace", { pace: Number(this.pace.value) });
         this.progress = element("progress", { max: 1, value: 0, "aria-label": text("Flight") });
         this.state = element("output", { class: "state", id: "state" });
+        this.answer = element("output", { class: "answer", id: "answer" });
         const quantity = element("select", { id: "quantity" }, ...options(QUANTITIES.map((own, k) => [String(k), own.name()])));
         quantity.onchange = () => {
             this.quantity = QUANTITIES[quantity.selectedIndex];
@@ -37,12 +38,15 @@ export class Display {
         this.panel = new Panel(scene.sins, (kind, values) => this.act(kind, values));
         this.values = element("tbody");
         const [of_navigation, of_truth] = parts("values");
+        this.attitudes = element("div", { class: "indicators" }, ...this.indicators.map(({ made }) => made));
+        this.table = element("table", {}, element("thead", {}, element("tr", {}, element("th", {}), ...[of_navigation, of_truth].map((name) => element("th", { scope: "col" }, name)))), this.values);
         this.made = element(
             "div",
             { class: "display" },
             element("div", { class: "bar controls" }, this.start, this.pause, this.stop, element("label", { for: "pace" }, text("Pace")), this.pace),
             this.progress,
             this.state,
+            this.answer,
             element(
                 "div",
                 { class: "views" },
@@ -50,11 +54,11 @@ export class Display {
                 element(
                     "section",
                     { class: "beside" },
-                    element("div", { class: "indicators" }, ...this.indicators.map(({ made }) => made)),
+                    this.attitudes,
                     this.panel.made,
                     element("h3", {}, text("Map")),
                     map,
-                    element("table", {}, element("thead", {}, element("tr", {}, element("th", {}), ...[of_navigation, of_truth].map((name) => element("th", { scope: "col" }, name)))), this.values),
+                    this.table,
                 ),
             ),
         );
@@ -167,7 +171,9 @@ export class Display {
         this.show_state();
         this.panel.made.hidden = now ? !now.has_unit : this.scene.get("unit.start") === "none";
         this.panel.show(now?.unit ?? null);
+        this.answer.value = answer(now);
         const { record, unit } = now ?? {}, attitude = (own) => own && [own.roll_rad, own.pitch_rad, own.heading_rad];
+        [this.attitudes.hidden, this.table.hidden] = [!record, !record];
         this.indicators[0].show(attitude(record?.truth) ?? null);
         this.indicators[1].show(unit ? this.panel.attitude(unit) : now?.has_unit ? null : (attitude(record?.navigation) ?? null));
         this.values.replaceChildren(...rows(now).map(([name, ...cells]) => element("tr", {}, element("th", { scope: "row" }, name), ...cells.map((cell) => element("td", cells.length === 1 ? { colspan: 2 } : {}, cell)))));
@@ -211,6 +217,7 @@ export class Display {
     }
 
     async save_picture() {
+        if (!this.points) return this.say(text("nothing_flown"), true);
         save(await this.curves.picture(`${this.quantity.name()}: ${this.scene.get("flight.title") || this.name()}`), `${this.name()}.png`);
     }
 
@@ -224,6 +231,13 @@ export class Display {
 function duration(time_s) {
     const [unit, size] = unit_of("time", time_s);
     return `${shown(time_s / size, 4)} ${unit}`;
+}
+
+/** How far the INS is from the truth at the end of a flight, as a sentence, or "". */
+function answer(now) {
+    if (now?.state !== FINISHED || !now.record) return "";
+    const error_m = Math.hypot(...now.record.navigation_errors.position_enu_m), [unit, size] = unit_of("length", error_m);
+    return text("answer", duration(now.time_s), `${shown(error_m / size, 3)} ${unit}`);
 }
 
 /** The text of a scene with other failures. */

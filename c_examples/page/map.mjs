@@ -30,14 +30,20 @@ export class Track {
             const from = places.find((own) => own?.[0].length > 0);
             return plane([[from[0][0], ...place[0]], [from[1][0], ...place[1]]]).map((column) => column.subarray(1));
         });
+        if (this.tracks.length === 0) return this.clear();
         const bounds = [0, 1].map((axis) => this.tracks.flatMap((track) => [track[axis].reduce((a, b) => Math.min(a, b)), track[axis].reduce((a, b) => Math.max(a, b))]));
-        this.bounds = bounds.map((own) => (own.length ? [Math.min(...own), Math.max(...own)] : [-1, 1]));
+        this.bounds = bounds.map((own) => [Math.min(...own), Math.max(...own)]);
         const key = JSON.stringify([text("Map"), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.plot?.destroy();
             [this.key, this.plot] = [key, this.make()];
         }
         this.plot.setData(this.data());
+    }
+
+    clear() {
+        this.plot?.destroy();
+        [this.plot, this.key] = [null, ""];
     }
 
     /** Of both tracks. */

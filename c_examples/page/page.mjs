@@ -12,6 +12,8 @@ import { Colleague, serve } from "./worker.mjs";
 
 /** Time after the last letter in the text, or the last change of the scene, after which others follow [ms]. */
 const PAUSE_MS = 300;
+/** Sample rate of the flight that the page opens with, which it flies at once [Hz]. */
+const OPENING_HZ = 1;
 
 class Page {
     constructor(sins, module) {
@@ -58,7 +60,8 @@ class Page {
             ),
         );
         const aside = element("aside", { "aria-label": text("Settings") }, ...this.tabs());
-        const main = element("main", {}, this.display.made, this.cost.made);
+        this.lead = element("p", { class: "lead" }, text("opening"));
+        const main = element("main", {}, this.lead, this.display.made, this.cost.made);
         document.getElementById("page").replaceChildren(header, aside, main, this.footer());
         this.refresh();
     }
@@ -145,6 +148,7 @@ class Page {
             return element("li", {}, element("button", { class: "fault", onclick: go }, `${fault.line}:${fault.column}: ${scene.told(fault)}`));
         }));
         this.text.setAttribute("aria-invalid", String(in_text.length > 0));
+        this.lead.hidden = scene.text !== this.opening;
         this.display.refresh(false);
     }
 
@@ -182,8 +186,16 @@ class Page {
     async write_link() {
         const { scene } = this;
         if (scene.faults.some((fault) => fault.in_text)) return;
-        this.linked = `#scene=${await to_link(scene.text)}`;
-        if (location.hash !== this.linked) history.replaceState(null, "", this.linked);
+        this.linked = scene.text === this.opening ? "" : `#scene=${await to_link(scene.text)}`;
+        if (location.hash !== this.linked) history.replaceState(null, "", this.linked || location.pathname + location.search);
+    }
+
+    /** Opens and flies simulation 2, at a rate at which its two days take a second or two. */
+    open_first() {
+        this.scene.set({ "flight.rate_hz": String(OPENING_HZ) });
+        this.opening = this.scene.text;
+        this.refresh();
+        this.display.fly();
     }
 
     async copy_link() {
@@ -234,6 +246,7 @@ async function start() {
     page.build();
     await page.open_link();
     page.on_change();
+    if (location.hash === "") page.open_first();
     document.body.dataset.ready = "";
 }
 

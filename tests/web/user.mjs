@@ -35,8 +35,8 @@ async function hour_in_node_ms() {
     return process.cpuUsage(began).user / 1000;
 }
 
-/** The page, opened from its file. Errors within it fail the test; requests to others too. */
-export async function opened(context, { hash = "", ...options } = {}) {
+/** The page, opened from its file; without a hash it flies at once. Errors within it fail the test; requests to others too. */
+export async function opened(context, { hash = "#simulation2", ...options } = {}) {
     const own_context = await chromium.newContext({ viewport: { width: 1360, height: 900 }, ...options });
     const page = await own_context.newPage(), errors = [];
     page.on("pageerror", (error) => errors.push(error.stack));
