@@ -39,8 +39,13 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 export class Curves {
     /** target: the element for the panels. */
     constructor(target) {
-        [this.target, this.plots, this.key, this.points] = [target, [], "", null];
+        [this.target, this.plots, this.key, this.points, this.marks] = [target, [], "", null, []];
         new ResizeObserver(() => this.resize()).observe(target);
+    }
+
+    /** From the next drawing on: marks, [{at_s, name}], and the whole time instead of an enlarged part. */
+    look_at(marks) {
+        [this.marks, this.key] = [marks, ""];
     }
 
     /** Shows a quantity of the points. has_model: whether there is error data 1. */
@@ -54,6 +59,7 @@ export class Curves {
             const own = columns.map((triple) => triple[k]), [unit, size] = unit_of(quantity.kind, largest_of(own));
             return { axis, unit, size, data: [time, ...own.toReversed()].map((column, at) => column.map((value) => value / (at ? size : time_size))) };
         });
+        this.time_size = time_size;
         const key = JSON.stringify([quantity.axes, quantity.kind, quantity.name(), triples, time_unit, panels.map(({ unit }) => unit), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.key = key;
@@ -103,7 +109,7 @@ export class Curves {
                     { ...own_axis, size: 62, label: `${axis} [${unit}]`, labelSize: 18, values: (_, ticks) => ticks.map((tick) => shown(tick, 6)) },
                 ],
                 cursor: { sync: { key: "time" }, drag: { x: true, y: false } },
-                hooks: { setScale: [(own, name) => name === "x" && note_zoom(own)] },
+                hooks: { setScale: [(own, name) => name === "x" && note_zoom(own)], draw: [(own) => this.draw_marks(own)] },
             },
             data,
             this.target,
@@ -113,6 +119,26 @@ export class Curves {
         plot.root.title = text("plot_tip");
         plot.root.onkeydown = (event) => this.on_key(event, plot);
         return plot;
+    }
+
+    /** Times with a name, as dashed lines; the first panel has the names. */
+    draw_marks(plot) {
+        const { ctx: paint, bbox } = plot, { min, max } = plot.scales.x;
+        paint.save();
+        [paint.strokeStyle, paint.fillStyle, paint.lineWidth, paint.font] = [colour("sensors"), colour("sensors"), devicePixelRatio, `${12 * devicePixelRatio}px system-ui, sans-serif`];
+        [paint.textAlign, paint.textBaseline] = ["left", "alphabetic"];
+        paint.setLineDash([5 * devicePixelRatio, 4 * devicePixelRatio]);
+        for (const { at_s, name } of this.marks) {
+            const time = at_s / this.time_size, x = plot.valToPos(time, "x", true), wide = paint.measureText(name).width;
+            if (time < min || time > max) continue;
+            paint.beginPath();
+            paint.moveTo(x, bbox.top);
+            paint.lineTo(x, bbox.top + bbox.height);
+            paint.stroke();
+            const margin = 4 * devicePixelRatio, is_right = x + margin + wide < bbox.left + bbox.width;
+            if (plot === this.plots[0]) paint.fillText(name, is_right ? x + margin : x - margin - wide, bbox.top + 12 * devicePixelRatio);
+        }
+        paint.restore();
     }
 
     /** Arrow keys move the cursor, plus and minus zoom around it, escape shows all. */

@@ -18,7 +18,7 @@ export class Display {
     constructor(scene, pilot) {
         [this.scene, this.pilot, this.now, this.points, this.path, this.quantity] = [scene, pilot, null, null, null, QUANTITIES[0]];
         const button = (name, act, what) => element("button", { onclick: act, "data-do": what }, text(name));
-        this.start = button("Start", () => this.fly(), "start");
+        this.start = button("Start", () => this.press_start(), "start");
         this.pause = button("Pause", () => pilot.ask("pause", { is_paused: this.now?.state === FLYING }), "pause");
         this.stop = button("Stop", () => pilot.ask("stop"), "stop");
         this.start.classList.add("first");
@@ -27,7 +27,7 @@ export class Display {
         this.progress = element("progress", { max: 1, value: 0, "aria-label": text("Flight") });
         this.state = element("output", { class: "state", id: "state" });
         this.answer = element("output", { class: "answer", id: "answer" });
-        const quantity = element("select", { id: "quantity" }, ...options(QUANTITIES.map((own, k) => [String(k), own.name()])));
+        const quantity = (this.quantities = element("select", { id: "quantity" }, ...options(QUANTITIES.map((own, k) => [String(k), own.name()]))));
         quantity.onchange = () => {
             this.quantity = QUANTITIES[quantity.selectedIndex];
             this.draw();
@@ -74,6 +74,14 @@ export class Display {
         this.refresh();
     }
 
+    /** Shows the navigation's error of a name, such as "position", with marks: [{at_s, name}], over the whole time. */
+    look_at(name, marks) {
+        this.curves.look_at(marks);
+        const chosen = QUANTITIES.findIndex(({ triples }) => triples[0] === `${name}2`);
+        if (chosen >= 0) [this.quantity, this.quantities.selectedIndex] = [QUANTITIES[chosen], chosen];
+        this.draw();
+    }
+
     /** What keeps the flight from its start, or "". */
     obstacle() {
         const { scene } = this, log = log_of(scene);
@@ -81,10 +89,22 @@ export class Display {
         return log === null || log === this.log_name ? "" : text("log_missing", scene.get("flight.file"));
     }
 
+    /** Continues a flight that is paused, or flies the scene. */
+    press_start() {
+        if (this.now?.state === PAUSED && !this.obstacle()) return this.pilot.ask("pause", { is_paused: false });
+        return this.fly();
+    }
+
+    /** Flies the scene as fast as possible, whatever pace and state the flight before had. */
+    fly_at_once() {
+        this.pace.value = "0";
+        return this.fly();
+    }
+
+    /** Flies the scene from its start. */
     async fly() {
         const obstacle = this.obstacle();
         if (obstacle) return this.say(obstacle, true);
-        if (this.now?.state === PAUSED) return this.pilot.ask("pause", { is_paused: false });
         [this.flown_text, this.points, this.now, this.has_model] = [this.scene.text, null, null, this.scene.get("options.error_model") === "rk4"];
         this.say("");
         try {

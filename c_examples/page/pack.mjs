@@ -3,8 +3,11 @@
 
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+
+import { lessons_of, read_by } from "./lessons_of.mjs";
 
 const [folder, uplot, out] = process.argv.slice(2), own = dirname(new URL(import.meta.url).pathname);
 const read = (...path) => readFileSync(join(...path), "utf8");
@@ -34,6 +37,8 @@ const licences = [
     `uPlot\n\n${read(uplot, "../LICENSE")}`,
     ...readdirSync(join(folder, "licences")).map((name) => `${name}\n\n${read(folder, "licences", name).replace(/<style[^]*?<\/style>|<[^>]+>/g, "")}`),
 ];
+const { load } = await import(pathToFileURL(resolve(folder, "sins.mjs")));
+const lessons = read_by(await load(), lessons_of(join(own, "../lessons")));
 const program = [read(uplot, "uPlot.iife.min.js"), ...[...modules("page.mjs").values()].map(within)].join("\n");
 const style = `\n${read(uplot, "uPlot.min.css")}\n${read(own, "page.css")}`, script = `\n"use strict";\n{\n${program}\n}\n`;
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
@@ -42,7 +47,7 @@ const policy = `default-src 'none'; script-src ${hash(script)} 'wasm-unsafe-eval
 const page = read(own, "page.html")
     .replace("<!-- policy -->", () => `<meta http-equiv="Content-Security-Policy" content="${policy}" />`)
     .replace("<!-- style -->", () => `<style>${style}</style>`)
-    .replace("<!-- data -->", () => [data("en", texts("en")), data("zh", texts("zh")), data("licences", gzip(licences.join("\n\n"))), data("library", gzip(readFileSync(join(folder, "sins.wasm"))))].join("\n"))
+    .replace("<!-- data -->", () => [data("en", texts("en")), data("zh", texts("zh")), data("lessons", JSON.stringify(lessons), "application/json"), data("licences", gzip(licences.join("\n\n"))), data("library", gzip(readFileSync(join(folder, "sins.wasm"))))].join("\n"))
     .replace("<!-- program -->", () => data("program", script, "text/javascript"));
 writeFileSync(out, page);
 console.log(`${out}: ${(page.length / 1e6).toFixed(2)} MB`);

@@ -5,6 +5,7 @@ import { Cost } from "./cost.mjs";
 import { Display } from "./display.mjs";
 import { of_link, on_drop, choose, save, text_of, to_link, unpacked } from "./files.mjs";
 import { fields, group, items, presets, section_name } from "./form.mjs";
+import { lesson_made, lesson_of, row_of } from "./lessons.mjs";
 import { Scene } from "./scene.mjs";
 import { element, language, options, parts, read_texts, speak, text } from "./texts.mjs";
 import { fly_log, refresh_within, trajectory } from "./trajectory.mjs";
@@ -19,6 +20,11 @@ class Page {
     constructor(sins, module) {
         const program = new Blob([document.getElementById("program").textContent], { type: "text/javascript" });
         [this.address, this.module, this.tab] = [URL.createObjectURL(program), module, 0];
+        /** The address whose scene the page has, and how many addresses were opened. */
+        [this.linked, this.turn] = [null, 0];
+        this.lessons = JSON.parse(document.getElementById("lessons").textContent);
+        /** What the page has opened, which stands in the address: its part of the address, its scene, and the lesson if it is one. */
+        this.open = { hash: null, text: null, lesson: null, is_first: false };
         this.scene = new Scene(sins);
         this.pilot = new Colleague(this.address, module);
         this.scene.addEventListener("change", ({ source }) => this.on_change(source));
@@ -61,9 +67,11 @@ class Page {
         );
         const aside = element("aside", { "aria-label": text("Settings") }, ...this.tabs());
         this.lead = element("p", { class: "lead" }, text("opening"));
-        const main = element("main", {}, this.lead, this.display.made, this.cost.made);
-        document.getElementById("page").replaceChildren(header, aside, main, this.footer());
+        [this.row, this.lesson] = [element("div", { class: "lessons" }), element("div", { class: "beside_picture" })];
+        this.main = element("main", {}, this.lead, this.display.made, this.cost.made);
+        document.getElementById("page").replaceChildren(header, this.row, element("div", { class: "left" }, this.lesson, aside), this.main, this.footer());
         this.refresh();
+        this.show_lesson();
     }
 
     footer() {
@@ -130,6 +138,7 @@ class Page {
     }
 
     on_change(source) {
+        if (source === "opened") this.opened();
         this.refresh(source);
         this.display.follow_plans();
         this.later("changed", () => {
@@ -148,7 +157,7 @@ class Page {
             return element("li", {}, element("button", { class: "fault", onclick: go }, `${fault.line}:${fault.column}: ${scene.told(fault)}`));
         }));
         this.text.setAttribute("aria-invalid", String(in_text.length > 0));
-        this.lead.hidden = scene.text !== this.opening;
+        this.lead.hidden = !this.open.is_first || scene.text !== this.open.text;
         this.display.refresh(false);
     }
 
@@ -176,6 +185,7 @@ class Page {
                 const written = await text_of(file);
                 this.text.value = written;
                 display.say("");
+                this.opened();
                 if (!scene.parse(written)) display.say(`${file.name}: ${scene.told(scene.faults[0])}`, true);
             }
         } catch (fault) {
@@ -183,19 +193,58 @@ class Page {
         }
     }
 
+    /** Writes the scene into the address, unless the address has changed and is to be opened. */
     async write_link() {
-        const { scene } = this;
+        const { scene, turn } = this;
         if (scene.faults.some((fault) => fault.in_text)) return;
-        this.linked = scene.text === this.opening ? "" : `#scene=${await to_link(scene.text)}`;
-        if (location.hash !== this.linked) history.replaceState(null, "", this.linked || location.pathname + location.search);
+        const { hash, text: opened, lesson } = this.open, own = lesson ? `${hash}&` : "#";
+        const linked = scene.text === opened ? hash : `${own}scene=${await to_link(scene.text)}`;
+        if (turn !== this.turn || location.hash !== this.linked) return;
+        if (location.hash !== linked) history.replaceState(null, "", linked || location.pathname + location.search);
+        this.linked = linked;
+    }
+
+    /** Notes what was opened: without values, a scene that is nothing but itself. */
+    opened({ hash = null, lesson = null, is_first = false } = {}) {
+        const was_own = this.open.hash !== null;
+        this.open = { hash, lesson, is_first, text: hash === null ? null : this.scene.text };
+        if (was_own || hash !== null) this.show_lesson();
+        this.refresh("text");
     }
 
     /** Opens and flies simulation 2, at a rate at which its two days take a second or two. */
     open_first() {
+        this.scene.open(this.scene.sins.scene_create_builtin("simulation2"));
         this.scene.set({ "flight.rate_hz": String(OPENING_HZ) });
-        this.opening = this.scene.text;
-        this.refresh();
-        this.display.fly();
+        this.opened({ hash: "", is_first: true });
+        this.display.fly_at_once();
+    }
+
+    /** Opens and flies a lesson, with its own scene or with another one. */
+    open_lesson(lesson, other) {
+        if (!this.read(lesson.scene)) return;
+        this.opened({ hash: `#lesson=${lesson.name}`, lesson });
+        if (other !== undefined && !this.read(other)) return;
+        this.display.fly_at_once();
+        if (lesson.shows === "cost") this.cost.measure_chosen();
+    }
+
+    /** Shows the row of the lessons, and the open one with what it looks at. */
+    show_lesson() {
+        const { lesson } = this.open;
+        this.row.replaceChildren(row_of(this.lessons, this.open));
+        this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson)] : []));
+        this.display.look_at(lesson?.shows ?? "position", (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })));
+        if (lesson?.shows === "cost") this.lead.after(this.cost.made, this.display.made);
+        else this.lead.after(this.display.made, this.cost.made);
+    }
+
+    /** Takes the text of a scene, and says what is wrong with it. */
+    read(written) {
+        this.text.value = written;
+        if (this.scene.parse(written)) return true;
+        this.display.say(this.scene.told(this.scene.faults[0]), true);
+        return false;
     }
 
     async copy_link() {
@@ -203,18 +252,23 @@ class Page {
         await navigator.clipboard?.writeText(location.href).then(() => this.display.say(text("link_copied")), () => this.display.say(location.href));
     }
 
-    /** Opens the scene of the address: #scene=..., or #NAME of a built-in scene. */
+    /** Opens what the address has: #scene=..., #lesson=NAME, with its scene if it was changed, or #NAME of a built-in scene; or the first flight. */
     async open_link() {
-        const { scene } = this, { hash } = location, [, packed] = /^#scene=(.+)$/.exec(hash) ?? [];
-        if (hash === this.linked || hash === "") return;
+        const { scene } = this, { hash } = location, [name, packed] = ["lesson", "scene"].map((own) => new URLSearchParams(hash.slice(1)).get(own));
+        const lesson = lesson_of(this.lessons, name), turn = ++this.turn;
+        if (hash === this.linked) return;
+        this.linked = hash;
+        if (hash === "") return this.open_first();
         try {
-            if (packed === undefined) return scene.open(scene.sins.scene_create_builtin(decodeURIComponent(hash.slice(1))));
-            const written = await of_link(packed);
-            this.text.value = written;
-            if (!scene.parse(written)) this.display.say(scene.told(scene.faults[0]), true);
-            else this.refresh();
+            if (name === null && packed === null) return scene.open(scene.sins.scene_create_builtin(decodeURIComponent(hash.slice(1))));
+            const written = packed === null ? undefined : await of_link(packed);
+            if (turn !== this.turn) return; // another address was opened meanwhile
+            if (lesson) return this.open_lesson(lesson, written);
+            if (written === undefined) throw new Error("no such lesson");
+            this.opened();
+            if (this.read(written)) this.refresh();
         } catch {
-            this.display.say(text("no_link"), true);
+            if (turn === this.turn) this.display.say(text("no_link"), true);
         }
     }
 }
@@ -246,7 +300,6 @@ async function start() {
     page.build();
     await page.open_link();
     page.on_change();
-    if (location.hash === "") page.open_first();
     document.body.dataset.ready = "";
 }
 

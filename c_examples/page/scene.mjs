@@ -103,7 +103,7 @@ export class Scene extends EventTarget {
     open(handle) {
         this.handle?.close();
         this.handle = handle;
-        this.told_of_change([]);
+        this.told_of_change([], "opened");
     }
 
     told_of_change(faults, source = null) {
@@ -116,7 +116,7 @@ export class Scene extends EventTarget {
         return this.sins.scene_get_setup(this.handle).flight === this.sins.SCENE_FLIGHT_LOG;
     }
 
-    /** Its text; source: a text that the user wrote, which is kept as it is. */
+    /** Its text as the library writes it. */
     get text() {
         return this.sins.scene_write(this.handle);
     }

@@ -1,17 +1,25 @@
-// The page as somebody meets it who knows nothing of it: the first screen.
+// The page as somebody meets it who knows nothing of it: the first screen and the lessons.
 //
 //     SINS=target/release/sins node --test tests/web/teaching.mjs      see tests/web.sh
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { resolve } from "node:path";
 import test, { after, before } from "node:test";
+import { deflateRawSync } from "node:zlib";
+import { pathToFileURL } from "node:url";
 
+import { lessons_of, read_by } from "../../c_examples/page/lessons_of.mjs";
+import { measure } from "../../c_examples/page/measure.mjs";
 import { processor_times } from "./browser.mjs";
-import { field, fly, opened, out, same_as_program, set, start, state, stop, until } from "./user.mjs";
+import { downloaded, fly, opened, out, press, same_as_program, set, start, state, stop, until } from "./user.mjs";
 
 /** Samples of the opening flight in those of the hour that Node flies. */
 const OPENING_HOURS = (48 * 3600) / 360000;
 /** Most time of the workers, from their start on, in that of Node for as many samples. */
 const MOST_TO_NODE = 4;
+const { SINS, SINS_MODULE } = process.env;
 let chromium, hour_ms;
 
 before(async () => ({ chromium, hour_ms } = await start()));
@@ -26,7 +34,7 @@ const empty = (page) => page.evaluate(() => {
         for (let k = 0; k < data.length; k += 4) if (data[k + 3] === 255) inks.add(`${data[k]},${data[k + 1]},${data[k + 2]}`);
         return inks;
     };
-    const plots = [...document.querySelectorAll(".uplot")].filter(is_shown), curve_inks = ["0,70,160", "142,197,255", "242,154,74", "184,106,28"];
+    const plots = [...document.querySelectorAll(".uplot")].filter(is_shown), curve_inks = ["0,70,160", "142,197,255", "242,154,74", "184,106,28", "192,57,43", "255,138,128"];
     const bare = plots.filter((plot) => !curve_inks.some((own) => ink(plot.querySelector("canvas")).has(own)));
     const black = [...document.querySelectorAll(".indicator canvas")].filter((own) => is_shown(own) && !ink(own).has("70,140,220"));
     return { plots: plots.length, bare: bare.length, black: black.length };
@@ -83,4 +91,192 @@ test("a scene that is not flown has no empty drawing, but says what to do", asyn
         await fly(page);
         assert.deepEqual(await empty(page), { plots: 4, bare: 0, black: 0 });
     }
+});
+
+const FOLDER = "c_examples/lessons", LESSONS = lessons_of(FOLDER);
+
+test("each lesson opens by its link: title, question, picture, and the records of sins fly for its scene", async (context) => {
+    assert.deepEqual(LESSONS.map(({ order }) => order), LESSONS.map((_, k) => k + 1));
+    const page = await opened(context, { hash: "" });
+    await until(page, /^Finished/);
+    for (const { name, en, zh } of LESSONS) {
+        await page.getByRole("link", { name: en.title, exact: true }).click();
+        await page.waitForFunction((title) => document.querySelector(".lesson h2")?.textContent === title, en.title);
+        await until(page, /^Finished/);
+        assert.equal(new URL(page.url()).hash, `#lesson=${name}`);
+        assert.deepEqual(await page.locator("nav [aria-current]").allInnerTexts(), [en.title]);
+        assert.deepEqual(await page.locator(".lesson p").allInnerTexts(), [en.question, ...en.paragraphs]);
+        assert.equal(await page.locator(".lead").isVisible(), false);
+        await page.waitForTimeout(500);
+        assert.equal((await empty(page)).bare, 0);
+        writeFileSync(`${out}/flown/lesson_${name}.csv`, await downloaded(page, "records"));
+        execFileSync(SINS, ["fly", `${FOLDER}/${name}/scene.toml`, "--name", name, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
+        assert.ok(readFileSync(`${out}/flown/lesson_${name}.csv`).equals(readFileSync(`${out}/flown/expected/${name}.csv`)), name);
+        await page.selectOption("#language", "zh");
+        assert.deepEqual(await page.locator(".lesson p").allInnerTexts(), [zh.question, ...zh.paragraphs]);
+        assert.doesNotMatch([zh.question, ...zh.paragraphs].join(""), /[\u3000-\u9fff\uff00-\uffef] [\u4e00-\u9fff]/);
+        await page.selectOption("#language", "en");
+        await page.screenshot({ path: `${out}/lesson_${name}.png` });
+    }
+    await page.goBack();
+    await page.waitForFunction((title) => document.querySelector(".lesson h2")?.textContent === title, LESSONS.at(-2).en.title);
+});
+
+test("a lesson whose scene is changed stays in the address; another scene leaves it", async (context) => {
+    const page = await opened(context, { hash: "#lesson=schuler" });
+    await until(page, /^Finished: 24 h/);
+    await set(page, "flight.hours", "12");
+    await page.waitForFunction(() => location.hash.startsWith("#lesson=schuler&scene="));
+    await page.reload();
+    await page.waitForSelector("body[data-ready]");
+    await until(page, /^Finished: 12 h/);
+    assert.equal(await page.locator(".lesson h2").innerText(), "Why 84 minutes?");
+    await page.click("[data-do=open_builtin]");
+    assert.equal(await page.locator(".lesson").count(), 0);
+    await page.waitForFunction(() => location.hash.startsWith("#scene="));
+    const none = await opened(context, { hash: "#lesson=nothing" });
+    assert.match(await state(none), /no scene that can be read/);
+    const narrow = await opened(context, { hash: "#lesson=schuler", viewport: { width: 400, height: 800 }, colorScheme: "dark" });
+    await until(narrow, /^Finished/);
+    assert.equal(await narrow.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
+    const [lesson, picture, settings] = await narrow.evaluate(() => [".lesson", ".display", "aside"].map((own) => document.querySelector(own).getBoundingClientRect().top));
+    assert.ok(lesson < picture && picture < settings);
+});
+
+test("a lesson flies at once and is drawn whole, whatever was flown before", async (context) => {
+    const page = await opened(context, { hash: "" }), range = () => page.evaluate(() => document.querySelector(".plots .u-over").getBoundingClientRect());
+    await until(page, /^Finished: 48 h/);
+    // A part of the first flight is enlarged, and the same flight is paused at its first seconds.
+    const { x, y, width, height } = await range();
+    await page.mouse.move(x + 0.1 * width, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + 0.2 * width, y + height / 2, { steps: 5 });
+    await page.mouse.up();
+    await page.selectOption("#pace", "1");
+    await press(page, "start");
+    await until(page, /^Flying/);
+    await press(page, "pause");
+    await until(page, /^Paused/);
+    for (const { en } of LESSONS) {
+        await page.getByRole("link", { name: en.title, exact: true }).click();
+        await page.waitForFunction((title) => document.querySelector(".lesson h2")?.textContent === title, en.title);
+        await until(page, /^Finished/);
+        assert.equal(await page.locator("#pace").inputValue(), "0");
+        await page.waitForTimeout(500);
+        // The first of three panels shows the time at its cursor: that at the right edge is the end of the flight.
+        await page.locator(".plots").scrollIntoViewIfNeeded();
+        const last = await range();
+        await page.mouse.move(last.x + last.width - 1, last.y + last.height / 2);
+        const [shown_s, flown_s] = await page.evaluate(() => [".plots .uplot:last-child .u-series:first-child .u-value", "#state"].map((own) => {
+            const [, value, unit] = /([\d.]+) (s|min|h)\b(?:\.|$)/.exec((document.querySelector(own).value ?? document.querySelector(own).textContent).trim());
+            return value * { s: 1, min: 60, h: 3600 }[unit];
+        }));
+        assert.ok(Math.abs(shown_s - flown_s) <= 0.01 * flown_s, `${shown_s} s of ${flown_s} s`);
+    }
+});
+
+test("of two addresses that are opened one after the other, the last remains", async (context) => {
+    const long = `#scene=${deflateRawSync(`[flight]\nbuiltin = "rest"\n${"# a comment\n".repeat(80000)}`).toString("base64url")}`;
+    const page = await opened(context, { hash: "#commuter" });
+    for (let k = 0; k < 5; k++) {
+        await page.evaluate(([first, last]) => new Promise((done) => {
+            addEventListener("hashchange", () => {
+                location.hash = last;
+                setTimeout(done, 1000);
+            }, { once: true });
+            location.hash = first;
+        }), [long, `#lesson=${LESSONS[0].name}`]);
+        assert.equal(await page.locator(".lesson h2").innerText(), LESSONS[0].en.title);
+        await page.evaluate(() => (location.hash = "#commuter"));
+        await page.waitForFunction(() => document.querySelector(".lesson") === null);
+    }
+});
+
+/** Columns of the records of a lesson's scene with other values, flown by the program: time, position error [m], misalignment [arcmin]. */
+function flown(name, values) {
+    const file = Object.entries(values).flat().join("_").replace(/[^\w]/g, "");
+    const sets = Object.entries(values).flatMap(([key, value]) => ["--set", `${key}=${value}`]);
+    execFileSync(SINS, ["fly", `${FOLDER}/${name}/scene.toml`, ...sets, "--name", file, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
+    const [head, ...lines] = readFileSync(`${out}/flown/expected/${file}.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
+    const column = (own, size = 1) => lines.map((line) => Number(line[head.indexOf(own)]) / size);
+    const [time_s, east, north] = [column("time_s"), ...["east", "north"].map((axis) => column(`navigation_error_position_${axis}_m`))];
+    const tilt = column("navigation_error_misalignment_east_rad", Math.PI / 10800), at = (wanted_s) => time_s.findIndex((own) => own >= wanted_s);
+    return { at, east, north, tilt, off_m: time_s.map((_, k) => Math.hypot(east[k], north[k])) };
+}
+
+test("what the lesson on Schuler says is so at every latitude of the Earth", () => {
+    const PERIOD_S = 5064, TURN_S = 86164, ARC_M = 1852, HOUR_S = 3600;
+    for (const latitude_deg of [0, 30, 45, 60, 85]) {
+        const { at, east, north, tilt, off_m } = flown("schuler", { "flight.latitude_deg": latitude_deg });
+        const is_near = (value, wanted, by, what) => assert.ok(Math.abs(value - wanted) <= by, `${latitude_deg} deg: ${what}: ${value}, not ${wanted}`);
+        const first = off_m.slice(0, at(PERIOD_S)), swing = north.slice(at(4000), at(6000)), back = at(4000) + swing.indexOf(Math.min(...swing));
+        is_near(back, at(PERIOD_S), at(120), "the end of the first swing");
+        is_near(Math.max(...first), 2 * ARC_M, 0.015 * 2 * ARC_M, "the first swing");
+        is_near(off_m[back], 0, 0.04 * 2 * ARC_M, "where it returns");
+        assert.ok(Math.max(...off_m) <= 1.01 * 2 * ARC_M, `${latitude_deg} deg: ${Math.max(...off_m)} m within the day`);
+        is_near(tilt[0], 1, 1e-3, "the tilt at the start");
+        is_near(tilt[at(PERIOD_S / 4)], 0, (2 * Math.PI * 60) / PERIOD_S, "the tilt after a quarter of the period"); // within a record
+        is_near(tilt[at(PERIOD_S / 2)], -1, 0.05, "the tilt after half a period");
+        // Foucault: the line between two ends of the swing.
+        const turned = (from_s) => (([a, b]) => Math.atan2(east[b] - east[a], north[b] - north[a]))([at(from_s), at(from_s + PERIOD_S / 2)]);
+        is_near(((turned(2 * PERIOD_S) - turned(0)) * 180) / Math.PI / ((2 * PERIOD_S) / HOUR_S), 15 * Math.sin((latitude_deg * Math.PI) / 180), 0.5, "Foucault");
+        // The middle of the swing is the first tilt, as north and east turn away from it. Within a period the plane of the swing turns too.
+        const middle = (from_s) => north.slice(at(from_s), at(from_s + PERIOD_S)).reduce((sum, own, _, all) => sum + own / all.length, 0);
+        const turn = (time_s) => (2 * Math.PI * (time_s + PERIOD_S / 2)) / TURN_S;
+        for (const from_s of [0, TURN_S / 4, TURN_S / 2]) is_near(middle(from_s), ARC_M * Math.cos(turn(from_s)), (PERIOD_S / TURN_S) * ARC_M, "the middle of the swing");
+
+        const drift = flown("schuler", { "flight.latitude_deg": latitude_deg, "start.misalignment_arcmin[0]": 0, "gyro.bias_deg_h[0]": 0.01 });
+        const grown = (from_s, to_s) => Math.abs(drift.north[drift.at(to_s)] - drift.north[drift.at(from_s)]) / (to_s - from_s);
+        // The rate is as cos(2 pi t / turn) - cos(2 pi t / period): of its mean, -0.07 at the first step and -0.31 at the second.
+        for (const k of [1, 2]) assert.ok(grown(k * PERIOD_S - 150, k * PERIOD_S + 150) < 0.35 * grown((k - 1) * PERIOD_S, k * PERIOD_S), `${latitude_deg} deg: step ${k}`);
+        const most_m = Math.max(...drift.off_m);
+        assert.ok(most_m > 2 * ARC_M && drift.off_m[drift.at(TURN_S)] < 0.03 * most_m, `${latitude_deg} deg: ${drift.off_m[drift.at(TURN_S)]} m of ${most_m} m`);
+    }
+});
+
+test("what the lesson on cost says is so: algorithms on both sides of the error of its sensors", async () => {
+    const { load } = await import(pathToFileURL(resolve(SINS_MODULE))), sins = await load();
+    const scene = sins.scene_parse(LESSONS.find(({ name }) => name === "cost").scene), own = sins.scene_get_setup(scene);
+    assert.ok(own.flown_s <= 600); // the whole of it is measured
+    const sensors = measure(sins, scene, null), at = (scheme, subsamples, rate_hz) => measure(sins, scene, { scheme, subsamples, rate_hz });
+    const [simple, enough, fine] = [at("exact", 1, 10), at("exact", 2, 10), at("polynomial", 4, 100)];
+    console.log(`page: sensors ${sensors.error_m.toPrecision(2)} m; ${[simple, enough, fine].map((one) => `${one.error_m.toPrecision(2)} m`).join(", ")}`);
+    assert.equal(sensors.flown_s, own.flown_s);
+    assert.ok(simple.error_m > 2 * sensors.error_m && enough.error_m < sensors.error_m / 2 && fine.error_m < 1e-3 * enough.error_m);
+    assert.ok(fine.us_per_s > enough.us_per_s); // ten times as many samples
+});
+
+test("a lesson that is not complete is not packed, and the fault names its file", async () => {
+    const own = `${out}/lessons`, files = Object.fromEntries(["scene.toml", "lesson.toml", "en.md", "zh.md"].map((name) => [name, readFileSync(`${FOLDER}/schuler/${name}`, "utf8")]));
+    const packed = (changes, name = "own") => {
+        rmSync(own, { recursive: true, force: true });
+        mkdirSync(`${own}/${name}`, { recursive: true });
+        for (const [file, text] of Object.entries({ ...files, ...changes })) if (text !== null) writeFileSync(`${own}/${name}/${file}`, text);
+        return lessons_of(own);
+    };
+    assert.equal(packed({})[0].mark.length, 2);
+    const settings = files["lesson.toml"], words = files["en.md"];
+    for (const [file, text, says] of [
+        ["zh.md", null, /zh\.md: .*no such file/],
+        ["scene.toml", null, /scene\.toml: .*no such file/],
+        ["lesson.toml", null, /lesson\.toml: .*no such file/],
+        ["lesson.toml", `${settings}colour = 1\n`, /lesson\.toml: line \d+: no such key: colour = 1/],
+        ["lesson.toml", `toString = 1\n${settings}`, /no such key/],
+        ["lesson.toml", `${settings}[[slide]]\n`, /no such list/],
+        ["lesson.toml", `order = 2\n${settings}`, /a second time: order = 1/],
+        ["lesson.toml", settings.replace('"position"', '"height"'), /not a value of this key: shows = "height"/],
+        ["lesson.toml", settings.replace('"position"', "position"), /expected a text in quotes/],
+        ["lesson.toml", settings.replace("order = 1\n", ""), /expected order, shows/],
+        ["lesson.toml", settings.replace("at_s = 5064\n", ""), /\[\[mark\]\]: expected at_s, en, zh/],
+        ["en.md", words.slice(2), /en\.md: expected a heading/],
+        ["en.md", "# Title\n\nQuestion?\n", /expected a question and at least one paragraph/],
+        ["en.md", `${words}\n\n- a list\n`, /plain text: - a list/],
+        ["en.md", `${words}\n\nSee [this](https://example.org).\n`, /plain text/],
+        ["en.md", `${words}\n\n<b>bold</b>\n`, /plain text/],
+    ]) assert.throws(() => packed({ [file]: text }), says);
+    assert.throws(() => packed({}, "Own"), /expected a name of small letters/);
+    const { load } = await import(pathToFileURL(resolve(SINS_MODULE))), sins = await load();
+    assert.equal(read_by(sins, packed({})).length, 1);
+    const faulty = packed({ "scene.toml": files["scene.toml"].replace("latitude_deg", "latitud_deg") });
+    assert.throws(() => read_by(sins, faulty), /^Error: own\/scene\.toml:7:1: no such key: latitud_deg; did you mean latitude_deg\?$/);
 });
