@@ -1,6 +1,6 @@
 // A flight in a worker: a scene in flight, sample by sample, with the records of `sins fly`, and points for the curves.
 
-import { Points } from "./points.mjs";
+import { Points, numbers_of } from "./points.mjs";
 
 /** Samples between two looks at the clock. */
 const STEPS = 64;
@@ -58,6 +58,7 @@ export class Flight {
         this.is_as_planned = true;
         this.has_unit = sins.scene_get_value(this.scene, "unit.start") !== '"none"';
         [this.records, this.imu] = [sins.array(sins.record, 1), sins.array(sins.imu, 1)];
+        this.numbers = numbers_of(this.imu);
         this.covariance = sins.scene_get_options(this.scene).covariance ? new sins.covariance() : null;
         const { every_s } = sins.scene_get_setup(this.scene);
         this.spacing = new Spacing(every_s > 0 ? every_s : samples.record_every * samples.period_s);
@@ -76,7 +77,7 @@ export class Flight {
         return this.next > 1 ? this.records_time() - this.samples.start_s : 0;
     }
     records_time() {
-        return this.imu.numbers[this.ends[0]];
+        return this.numbers()[this.ends[0]];
     }
 
     set_pace(pace) {
@@ -126,7 +127,7 @@ export class Flight {
     /** Adds the sensor errors of the last interval to their sums. Whether it has a record. */
     add_interval() {
         this.sins.get_imu(this.sim, this.imu.at(0));
-        const { numbers } = this.imu, [angle, ideal_angle] = this.angles, [velocity, ideal_velocity] = this.velocities;
+        const numbers = this.numbers(), [angle, ideal_angle] = this.angles, [velocity, ideal_velocity] = this.velocities;
         for (let k = 0; k < 3; k++) {
             this.sums[k] += numbers[angle + k] - numbers[ideal_angle + k];
             this.sums[3 + k] += numbers[velocity + k] - numbers[ideal_velocity + k];

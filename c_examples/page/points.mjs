@@ -25,12 +25,18 @@ const OF_RECORD = {
 };
 const OF_IMU = { rate: "measured_rate_rad_s", force: "measured_force_m_s2" };
 
+/** The numbers of an array, by a view that is kept: making one takes longer than a sample. It is empty once the library's memory has grown. */
+export function numbers_of(array) {
+    let view = array.numbers;
+    return () => (view.length > 0 ? view : (view = array.numbers));
+}
+
 export class Points {
     constructor(records, imu, count) {
-        [this.records, this.imu] = [records, imu];
+        const of_records = (this.of_records = numbers_of(records)), of_imu = numbers_of(imu);
         this.every = Math.max(1, Math.floor(count / LEAST));
-        const places = (array, paths) => Object.entries(paths).map(([name, path]) => [name, array, array.offset(path)]);
-        this.triples = [...places(records, OF_RECORD), ...places(imu, OF_IMU)];
+        const places = (array, numbers, paths) => Object.entries(paths).map(([name, path]) => [name, numbers, array.offset(path)]);
+        this.triples = [...places(records, of_records, OF_RECORD), ...places(imu, of_imu, OF_IMU)];
         this.time = records.offset("time_s");
         this.columns = Array.from({ length: 1 + 3 * this.triples.length }, () => new Float64Array(MOST));
         [this.count, this.stride, this.seen] = [0, 1, 0];
@@ -45,15 +51,16 @@ export class Points {
 
     /** Adds the record and the interval as a point, if its turn has come. */
     add(start_s, is_last) {
-        this.of_path.forEach((offset, k) => (this.path[k][this.places] = this.records.numbers[offset]));
+        const record = this.of_records();
+        this.of_path.forEach((offset, k) => (this.path[k][this.places] = record[offset]));
         this.places++;
         if (this.seen++ % this.stride !== 0 && !is_last) return;
         if (this.count === MOST) this.halve();
         const at = this.count++;
-        this.columns[0][at] = this.records.numbers[this.time] - start_s;
-        this.triples.forEach(([, array, offset], triple) => {
-            const { numbers } = array;
-            for (let k = 0; k < 3; k++) this.columns[1 + 3 * triple + k][at] = numbers[offset + k];
+        this.columns[0][at] = record[this.time] - start_s;
+        this.triples.forEach(([, numbers, offset], triple) => {
+            const own = numbers();
+            for (let k = 0; k < 3; k++) this.columns[1 + 3 * triple + k][at] = own[offset + k];
         });
     }
 
