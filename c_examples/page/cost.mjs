@@ -7,6 +7,9 @@ const RATES_HZ = [10, 20, 25, 50, 100, 200, 400];
 const SUBSAMPLES = [1, 2, 3, 4, 5];
 /** Least error in the diagram: below it is rounding [m]. */
 const LEAST_M = 1e-9;
+/** Least room between the points and the ends of an axis, which are powers of ten, so that each axis has two numbers or more. */
+const MARGIN = 1.25;
+const power_of_ten = (tick) => `10${Array.from(String(Math.round(Math.log10(tick))), (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit] ?? "⁻").join("")}`;
 const same = (a, b) => a.scheme === b.scheme && a.subsamples === b.subsamples && a.rate_hz === b.rate_hz;
 
 export class Cost {
@@ -41,6 +44,16 @@ export class Cost {
         );
         new ResizeObserver(() => this.plot?.setSize(this.size())).observe(this.plot_at);
         this.show_choice();
+    }
+
+    /** Shows what another one has measured, after a change of the language, and takes over what it measures. */
+    follow(other) {
+        if (!other) return;
+        [this.text, this.points, this.sensors_m] = [other.text, other.points, other.sensors_m];
+        other.sliders.forEach(({ input }, k) => (this.sliders[k].input.value = input.value));
+        other.turn++;
+        this.show_choice();
+        if (other.said.value) this.measure_chosen();
     }
 
     /** The choice of the sliders. */
@@ -150,9 +163,9 @@ export class Cost {
     make(data) {
         const filter = (_, ticks) => ticks.map((tick) => (Number.isInteger(Math.log10(tick)) ? tick : null)), grid = { stroke: colour("grid"), width: 1, filter };
         const font = "12px system-ui, sans-serif", facets = [{ scale: "x", auto: true }, { scale: "y", auto: true }];
-        const axis = (label) => ({ stroke: colour("ink"), grid, ticks: grid, font, labelFont: font, labelSize: 18, label, filter, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : shown(tick, 2))) });
+        const axis = (label) => ({ stroke: colour("ink"), grid, ticks: grid, font, labelFont: font, labelSize: 18, label, filter, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : power_of_ten(tick))) });
         const scheme = (word, k) => ({ label: this.scene.word_label(this.scene.key("options.scheme"), word), stroke: colour(`scheme${k}`), facets, paths: dots(colour(`scheme${k}`), 3) });
-        const limits = (_, low, high) => (low === null || low === undefined ? [1, 1000] : [low / 2, high * 2]);
+        const limits = (_, low, high) => (low === null || low === undefined ? [1, 1000] : [10 ** Math.floor(Math.log10(low / MARGIN)), 10 ** Math.ceil(Math.log10(high * MARGIN))]);
         const plot = new uPlot(
             {
                 ...this.size(),

@@ -41,12 +41,13 @@ class Page {
 
     /** Builds the page in the language of the user. */
     build() {
-        const { scene } = this, before = this.display;
+        const { scene } = this, { display, cost } = this;
         document.documentElement.lang = language === "zh" ? "zh-Hans" : "en";
         document.title = text("page_title");
         this.display = new Display(scene, this.pilot);
-        this.display.follow(before);
+        this.display.follow(display);
         this.cost = new Cost(scene, () => this.study());
+        this.cost.follow(cost);
         const languages = element("select", { id: "language", "aria-label": "Language 语言" }, ...options([["en", "English"], ["zh", "中文"]], language));
         languages.onchange = () => this.set_language(languages.value);
         const button = (name, act, what) => element("button", { onclick: act, "data-do": what }, text(name));

@@ -99,7 +99,15 @@ test("each lesson opens by its link: title, question, picture, and the records o
     assert.deepEqual(LESSONS.map(({ order }) => order), LESSONS.map((_, k) => k + 1));
     const page = await opened(context, { hash: "" });
     await until(page, /^Finished/);
-    for (const { name, en, zh } of LESSONS) {
+    await page.evaluate(() => {
+        const own = CanvasRenderingContext2D.prototype, { fillText } = own;
+        own.fillText = function (text, x, y, ...others) {
+            if (this.canvas.closest(".cost")) window.written.push([text, Math.round(x), Math.round(y)]);
+            return fillText.call(this, text, x, y, ...others);
+        };
+    });
+    for (const { name, shows, en, zh } of LESSONS) {
+        await page.evaluate(() => (window.written = []));
         await page.getByRole("link", { name: en.title, exact: true }).click();
         await page.waitForFunction((title) => document.querySelector(".lesson h2")?.textContent === title, en.title);
         await until(page, /^Finished/);
@@ -108,14 +116,24 @@ test("each lesson opens by its link: title, question, picture, and the records o
         assert.deepEqual(await page.locator(".lesson p").allInnerTexts(), [en.question, ...en.paragraphs]);
         assert.equal(await page.locator(".lead").isVisible(), false);
         await page.waitForTimeout(500);
-        assert.equal((await empty(page)).bare, 0);
+        if (shows === "cost") {
+            await page.waitForFunction(() => document.getElementById("cost_said").value.includes("µs"));
+            const numbers = (await page.evaluate(() => window.written)).filter(([own]) => /^10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+$/.test(own));
+            const most = (axis) => Math.max(...numbers.map((own) => new Set(numbers.filter((other) => other[axis] === own[axis]).map(([text]) => text)).size));
+            assert.ok(most(2) >= 2 && most(1) >= 2, JSON.stringify(numbers)); // of each axis: beside each other, above each other
+        }
+        const drawings = await empty(page);
+        assert.deepEqual([drawings.bare, drawings.black], [0, 0]);
         writeFileSync(`${out}/flown/lesson_${name}.csv`, await downloaded(page, "records"));
         execFileSync(SINS, ["fly", `${FOLDER}/${name}/scene.toml`, "--name", name, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
         assert.ok(readFileSync(`${out}/flown/lesson_${name}.csv`).equals(readFileSync(`${out}/flown/expected/${name}.csv`)), name);
         await page.selectOption("#language", "zh");
         assert.deepEqual(await page.locator(".lesson p").allInnerTexts(), [zh.question, ...zh.paragraphs]);
         assert.doesNotMatch([zh.question, ...zh.paragraphs].join(""), /[\u3000-\u9fff\uff00-\uffef] [\u4e00-\u9fff]/);
+        await page.waitForTimeout(200);
+        assert.deepEqual(await empty(page), drawings);
         await page.selectOption("#language", "en");
+        await page.waitForTimeout(200);
         await page.screenshot({ path: `${out}/lesson_${name}.png` });
     }
     await page.goBack();
