@@ -1,6 +1,7 @@
-// Lessons: a row of links to them, and the lesson that is open: its title, its question and its paragraphs.
+// Lessons: a row of links to them, and the lesson that is open: its title, its question, its sliders and its paragraphs.
 
-import { element, language, text } from "./texts.mjs";
+import { unit_name } from "./scene.mjs";
+import { element, language, shown, text } from "./texts.mjs";
 
 /** A lesson by its name in the address, or undefined. */
 export const lesson_of = (lessons, name) => lessons.find((own) => own.name === name);
@@ -12,14 +13,41 @@ export function row_of(lessons, open) {
     return element("nav", { "aria-label": text("Lessons") }, link("#", text("first_flight"), open.is_first), ...links);
 }
 
-/** What stands beside the picture. */
-export function lesson_made(lesson) {
+/** A slider of a key of the scene: fly() is called when it has set a value. It stands at the value that is nearest to that of the scene. */
+function slider_made(scene, own, k, fly) {
+    const { key, values } = own, id = `lesson_slider${k}`, unit = unit_name(scene.key(key));
+    const input = element("input", { type: "range", id, min: 0, max: values.length - 1, step: 1, "data-slides": key }), output = element("output", { for: id });
+    input.oninput = () => scene.set({ [key]: String(values[input.value]) }).length || fly();
+    const made = element("div", { class: "slider" }, element("label", { for: id }, own[language]), input, output);
+    made.refresh = () => {
+        const value = Number(scene.get(key)), off = values.map((one) => Math.abs(one - value));
+        [input.value, output.value] = [off.indexOf(Math.min(...off)), `${shown(value, 6)} ${unit}`];
+        input.setAttribute("aria-valuetext", output.value);
+    };
+    return made;
+}
+
+/** What the sliders do, with the sample interval of the scene. */
+function rate_made(scene) {
+    const made = element("div", { class: "hint" });
+    made.refresh = () => (made.textContent = text("lesson_rate", shown(1 / scene.sins.scene_get_setup(scene.handle).rate_hz, 4)));
+    return made;
+}
+
+/** What stands beside the picture; on a narrow screen the paragraphs are below it, so that a slider is near its curves. */
+export function lesson_made(lesson, scene, fly) {
     const { title, question, paragraphs } = lesson[language];
     return element(
         "article",
         { class: "lesson", "aria-labelledby": "lesson_title" },
-        element("h2", { id: "lesson_title" }, title),
-        element("p", { class: "question" }, question),
-        ...paragraphs.map((own) => element("p", {}, own)),
+        element(
+            "div",
+            {},
+            element("h2", { id: "lesson_title" }, title),
+            element("p", { class: "question" }, question),
+            ...lesson.slider.map((own, k) => slider_made(scene, own, k, fly)),
+            ...(lesson.slider.length > 0 ? [rate_made(scene)] : []),
+        ),
+        element("div", { class: "words" }, ...paragraphs.map((own) => element("p", {}, own))),
     );
 }

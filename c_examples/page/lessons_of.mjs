@@ -10,7 +10,10 @@ const SHOWS = ["position", "velocity", "misalignment", "cost"];
 /** Keys of lesson.toml, and of each of its lists, with what their value must be. */
 const is_text = (value) => typeof value === "string" && value !== "", is_number = Number.isFinite;
 const KEYS = { order: is_number, shows: (value) => SHOWS.includes(value) };
-const LISTS = { mark: { at_s: (value) => is_number(value) && value > 0, en: is_text, zh: is_text } };
+const LISTS = {
+    mark: { at_s: (value) => is_number(value) && value > 0, en: is_text, zh: is_text },
+    slider: { key: is_text, en: is_text, zh: is_text, values: (value) => Array.isArray(value) && value.length > 1 && value.every(is_number) },
+};
 
 /** The lessons of a folder in their order. Throws if one is not complete. */
 export function lessons_of(folder) {
@@ -18,13 +21,17 @@ export function lessons_of(folder) {
     return lessons.sort((a, b) => a.order - b.order);
 }
 
-/** The lessons, if the library reads the scene of each. Throws with the first fault. */
+/** The lessons, if the library reads the scene of each and takes each value of its sliders. Throws with the first fault. */
 export function read_by(sins, lessons) {
-    for (const { name, scene } of lessons) {
-        const read = sins.scene_parse(scene), fault = new sins.fault();
-        if (sins.last_status === sins.SCENE_HAS_FAULTS) {
-            sins.scene_get_fault(read, 0, fault);
-            throw new Error(`${name}/scene.toml:${fault.line}:${fault.column}: ${fault.copy().sentence}`);
+    for (const { name, scene, slider } of lessons) {
+        const read = sins.scene_parse(scene), fault = new sins.fault(), first = () => (sins.scene_get_fault(read, 0, fault), fault.copy());
+        if (sins.last_status === sins.SCENE_HAS_FAULTS) throw new Error(`${name}/scene.toml:${first().line}:${first().column}: ${first().sentence}`);
+        for (const [key, value] of slider.flatMap(({ key, values }) => values.map((own) => [key, own]))) {
+            try {
+                sins.scene_set_values(read, `${key} = ${value}`);
+            } catch {
+                throw new Error(`${name}/lesson.toml: ${first().sentence}`);
+            }
         }
         read.close();
     }

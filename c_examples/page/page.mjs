@@ -158,6 +158,7 @@ class Page {
             return element("li", {}, element("button", { class: "fault", onclick: go }, `${fault.line}:${fault.column}: ${scene.told(fault)}`));
         }));
         this.text.setAttribute("aria-invalid", String(in_text.length > 0));
+        refresh_within(this.lesson);
         this.lead.hidden = !this.open.is_first || scene.text !== this.open.text;
         this.display.refresh(false);
     }
@@ -234,7 +235,8 @@ class Page {
     show_lesson() {
         const { lesson } = this.open;
         this.row.replaceChildren(row_of(this.lessons, this.open));
-        this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson)] : []));
+        this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson, this.scene, () => this.display.fly())] : []));
+        refresh_within(this.lesson);
         this.display.look_at(lesson?.shows ?? "position", (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })));
         if (lesson?.shows === "cost") this.lead.after(this.cost.made, this.display.made);
         else this.lead.after(this.display.made, this.cost.made);

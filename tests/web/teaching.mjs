@@ -19,6 +19,8 @@ import { downloaded, fly, opened, out, press, same_as_program, set, start, state
 const OPENING_HOURS = (48 * 3600) / 360000;
 /** Most time of the workers, from their start on, in that of Node for as many samples. */
 const MOST_TO_NODE = 4;
+/** Most time of the worker and of a task of the page for a move of a slider, in that of a flown hour at 100 Hz in Node. */
+const MOST_OF_SLIDER = 1 / 3;
 const { SINS, SINS_MODULE } = process.env;
 let chromium, hour_ms;
 
@@ -157,8 +159,11 @@ test("a lesson whose scene is changed stays in the address; another scene leaves
     const narrow = await opened(context, { hash: "#lesson=schuler", viewport: { width: 400, height: 800 }, colorScheme: "dark" });
     await until(narrow, /^Finished/);
     assert.equal(await narrow.evaluate(() => document.documentElement.scrollWidth - innerWidth), 0);
-    const [lesson, picture, settings] = await narrow.evaluate(() => [".lesson", ".display", "aside"].map((own) => document.querySelector(own).getBoundingClientRect().top));
-    assert.ok(lesson < picture && picture < settings);
+    const tops = await narrow.evaluate(() => [".question", ".display", ".words", "aside", "footer"].map((own) => document.querySelector(own).getBoundingClientRect().top));
+    assert.deepEqual(tops, tops.toSorted((a, b) => a - b));
+    // A slider and its curves are on the screen together.
+    const [slider, curves] = await narrow.evaluate(() => [".slider", ".plots .uplot"].map((own) => document.querySelector(own).getBoundingClientRect()));
+    assert.ok(curves.bottom - slider.top < 800, `${curves.bottom - slider.top} pixels`);
 });
 
 test("a lesson flies at once and is drawn whole, whatever was flown before", async (context) => {
@@ -210,21 +215,24 @@ test("of two addresses that are opened one after the other, the last remains", a
     }
 });
 
-/** Columns of the records of a lesson's scene with other values, flown by the program: time, position error [m], misalignment [arcmin]. */
+/** Of a lesson's scene with other values, flown by the program: position errors [m], misalignment [arcmin], true heading, the record at a time. */
 function flown(name, values) {
-    const file = Object.entries(values).flat().join("_").replace(/[^\w]/g, "");
+    const file = [name, ...Object.entries(values).flat()].join("_").replace(/[^\w]/g, "");
     const sets = Object.entries(values).flatMap(([key, value]) => ["--set", `${key}=${value}`]);
     execFileSync(SINS, ["fly", `${FOLDER}/${name}/scene.toml`, ...sets, "--name", file, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
     const [head, ...lines] = readFileSync(`${out}/flown/expected/${file}.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
     const column = (own, size = 1) => lines.map((line) => Number(line[head.indexOf(own)]) / size);
     const [time_s, east, north] = [column("time_s"), ...["east", "north"].map((axis) => column(`navigation_error_position_${axis}_m`))];
-    const tilt = column("navigation_error_misalignment_east_rad", Math.PI / 10800), at = (wanted_s) => time_s.findIndex((own) => own >= wanted_s);
-    return { at, east, north, tilt, off_m: time_s.map((_, k) => Math.hypot(east[k], north[k])) };
+    const [tilt, up] = ["east", "up"].map((axis) => column(`navigation_error_misalignment_${axis}_rad`, Math.PI / 10800)), heading = column("truth_heading_rad");
+    const at = (wanted_s) => time_s.findIndex((own) => own >= wanted_s);
+    return { at, east, north, tilt, up, heading, off_m: time_s.map((_, k) => Math.hypot(east[k], north[k])) };
 }
 
-test("what the lesson on Schuler says is so at every latitude of the Earth", () => {
+test("what the lesson on Schuler says is so at every latitude of its slider", () => {
     const PERIOD_S = 5064, TURN_S = 86164, ARC_M = 1852, HOUR_S = 3600;
-    for (const latitude_deg of [0, 30, 45, 60, 85]) {
+    const latitudes = LESSONS.find(({ name }) => name === "schuler").slider.find(({ key }) => key === "flight.latitude_deg").values;
+    assert.ok(latitudes.includes(0) && latitudes.length > 4);
+    for (const latitude_deg of latitudes) {
         const { at, east, north, tilt, off_m } = flown("schuler", { "flight.latitude_deg": latitude_deg });
         const is_near = (value, wanted, by, what) => assert.ok(Math.abs(value - wanted) <= by, `${latitude_deg} deg: ${what}: ${value}, not ${wanted}`);
         const first = off_m.slice(0, at(PERIOD_S)), swing = north.slice(at(4000), at(6000)), back = at(4000) + swing.indexOf(Math.min(...swing));
@@ -286,6 +294,8 @@ test("a lesson that is not complete is not packed, and the fault names its file"
         ["lesson.toml", settings.replace('"position"', "position"), /expected a text in quotes/],
         ["lesson.toml", settings.replace("order = 1\n", ""), /expected order, shows/],
         ["lesson.toml", settings.replace("at_s = 5064\n", ""), /\[\[mark\]\]: expected at_s, en, zh/],
+        ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", "values = [0]"), /not a value of this key: values = \[0\]/],
+        ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", 'values = [0, "x"]'), /not a value of this key/],
         ["en.md", words.slice(2), /en\.md: expected a heading/],
         ["en.md", "# Title\n\nQuestion?\n", /expected a question and at least one paragraph/],
         ["en.md", `${words}\n\n- a list\n`, /plain text: - a list/],
@@ -295,6 +305,72 @@ test("a lesson that is not complete is not packed, and the fault names its file"
     assert.throws(() => packed({}, "Own"), /expected a name of small letters/);
     const { load } = await import(pathToFileURL(resolve(SINS_MODULE))), sins = await load();
     assert.equal(read_by(sins, packed({})).length, 1);
+    const beyond = packed({ "lesson.toml": settings.replace("0.02, 0.05]", "0.02, 1e9]") }), unknown = packed({ "lesson.toml": settings.replace("gyro.bias", "gyro.bais") });
+    assert.throws(() => read_by(sins, beyond), /own\/lesson\.toml: gyro\.bias_deg_h\[0\] = 1e9: must be from/);
+    assert.throws(() => read_by(sins, unknown), /own\/lesson\.toml: .*bais_deg_h/);
     const faulty = packed({ "scene.toml": files["scene.toml"].replace("latitude_deg", "latitud_deg") });
     assert.throws(() => read_by(sins, faulty), /^Error: own\/scene\.toml:7:1: no such key: latitud_deg; did you mean latitude_deg\?$/);
+});
+
+test("a slider of a lesson flies each of its values at once, and the last one of a drag remains", async (context) => {
+    for (const { name, slider } of LESSONS.filter((own) => own.slider.length > 0)) {
+        const page = await opened(context, { hash: `#lesson=${name}` });
+        await until(page, /^Finished/);
+        const move = (key, place) => page.evaluate(([own, wanted]) => {
+            const input = document.querySelector(`[data-slides="${own}"]`);
+            input.value = wanted;
+            input.dispatchEvent(new Event("input"));
+            return input.parentElement.querySelector("output").value;
+        }, [key, place]);
+        assert.match(await page.locator(".lesson .hint").innerText(), /with a sample each [\d.]+ s\.$/);
+        const curves = () => page.locator(".plots .uplot").evaluateAll((all) => all.map((own) => own.getAttribute("aria-label")).join());
+        let moves = 0;
+        const fly_all = async () => {
+            for (const { key, values } of slider) {
+                const found = new Set();
+                for (const [place, value] of values.entries()) {
+                    const said = await move(key, place);
+                    assert.ok(Math.abs(Number.parseFloat(said) - value) <= 1e-6 * Math.abs(value), `${key} = ${value}: ${said}`);
+                    await until(page, /^Finished/);
+                    found.add(await curves());
+                    moves++;
+                }
+                assert.equal(found.size, values.length, `${name}: ${key}: ${[...found].join("\n")}`); // each value has curves of its own
+            }
+        };
+        await fly_all(); // browsers optimise what has run for some time
+        moves = 0;
+        const { longest_ms, workers_ms } = await processor_times(chromium, fly_all), each_ms = workers_ms / moves;
+        console.log(`page: a slider of ${name}: ${each_ms.toFixed(0)} ms of the worker and at most ${longest_ms.toFixed(0)} ms of a task of the page, where Node flies an hour at 100 Hz in ${hour_ms.toFixed(0)} ms`);
+        assert.ok(each_ms + longest_ms <= hour_ms * MOST_OF_SLIDER);
+        const [{ key, values }] = slider;
+        await page.evaluate(([own, count]) => {
+            const input = document.querySelector(`[data-slides="${own}"]`);
+            for (let k = 0; k < 50; k++) {
+                input.value = k % count;
+                input.dispatchEvent(new Event("input"));
+            }
+            input.value = 1;
+            input.dispatchEvent(new Event("input"));
+        }, [key, values.length]);
+        await until(page, /^Finished/);
+        assert.equal(Number.parseFloat(await page.locator(`[data-slides="${key}"] + output`).innerText()), values[1]);
+        await same_as_program(page, `slider_${name}`);
+        await page.waitForTimeout(700);
+        assert.match(await state(page), /^Finished: [^,]*$/); // what is drawn is what is set
+        assert.ok(new URL(page.url()).hash.startsWith(`#lesson=${name}&scene=`));
+    }
+});
+
+test("sliders by the keyboard, and a slider follows the form", async (context) => {
+    const page = await opened(context, { hash: "#lesson=schuler" });
+    await until(page, /^Finished/);
+    const tilt = page.getByRole("slider", { name: "Tilt" });
+    await tilt.focus();
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await tilt.getAttribute("aria-valuetext"), "1.5 arcmin");
+    await until(page, /^Finished/);
+    await page.click("#tab2");
+    await set(page, "start.misalignment_arcmin", "0.6, 0, 0");
+    assert.deepEqual([await tilt.inputValue(), await tilt.getAttribute("aria-valuetext")], ["1", "0.6 arcmin"]);
 });
