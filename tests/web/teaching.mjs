@@ -272,6 +272,23 @@ test("what the lesson on cost says is so: algorithms on both sides of the error 
     assert.ok(fine.us_per_s > enough.us_per_s); // ten times as many samples
 });
 
+test("what the lesson on coning says is so: the drift of theory, and what makes it smaller", () => {
+    const drift_deg_h = (values = {}) => {
+        const { at, up, heading } = flown("coning", values), [from, to] = [at(30), at(270)]; // 10 s of ramps at both ends
+        assert.ok(Math.max(...heading.map((own) => Math.abs(Math.sin(own)))) < 1e-12); // it stays
+        return ((up[to] - up[from]) / 60 / 240) * 3600;
+    };
+    const [a, w, T] = [(5 * Math.PI) / 180, 2 * Math.PI * 0.5, 0.1], theory_deg_h = ((a * a * w) / 2) * (1 - Math.sin(w * T) / (w * T)) * (180 / Math.PI) * 3600;
+    const one = drift_deg_h(), is_near = (value, wanted, part, what) => assert.ok(Math.abs(value - wanted) <= part * wanted, `${what}: ${value}, not ${wanted}`);
+    is_near(one, theory_deg_h, 0.01, "the drift");
+    is_near(theory_deg_h, 40, 0.02, "theory");
+    is_near(flown("coning", {}).up.at(-1), 3.2 * 60, 0.02, "the end");
+    is_near(one / drift_deg_h({ "options.subsamples": 2 }), 1000, 0.2, "two subsamples");
+    is_near(one / drift_deg_h({ "flight.rate_hz": 100 }), 100, 0.02, "ten times the rate");
+    is_near(one / drift_deg_h({ "manoeuvre[0].sinusoid[0].amplitude_deg": 2.5 }), 2, 0.01, "half of the roll");
+    assert.ok(Math.abs(drift_deg_h({ "manoeuvre[0].sinusoid[0].amplitude_deg": 0 })) < 1e-4 * one);
+});
+
 test("a lesson that is not complete is not packed, and the fault names its file", async () => {
     const own = `${out}/lessons`, files = Object.fromEntries(["scene.toml", "lesson.toml", "en.md", "zh.md"].map((name) => [name, readFileSync(`${FOLDER}/schuler/${name}`, "utf8")]));
     const packed = (changes, name = "own") => {
