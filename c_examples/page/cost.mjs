@@ -1,10 +1,13 @@
 // What accuracy costs: sliders for the algorithm, and its error and time, measured here and now, as a point in a diagram.
 
 import { colour } from "./curves.mjs";
+import { FINE } from "./measure.mjs";
 import { element, shown, text } from "./texts.mjs";
 
 const RATES_HZ = [10, 20, 25, 50, 100, 200, 400];
 const SUBSAMPLES = [1, 2, 3, 4, 5];
+/** How near to a point a click must be [pixels]. */
+const REACH = 12;
 /** Least error in the diagram: below it is rounding [m]. */
 const LEAST_M = 1e-9;
 /** Least room between the points and the ends of an axis, which are powers of ten, so that each axis has two numbers or more. */
@@ -13,9 +16,9 @@ const power_of_ten = (tick) => `10${Array.from(String(Math.round(Math.log10(tick
 const same = (a, b) => a.scheme === b.scheme && a.subsamples === b.subsamples && a.rate_hz === b.rate_hz;
 
 export class Cost {
-    /** study(): the colleague that measures. */
-    constructor(scene, study) {
-        [this.scene, this.study, this.points, this.sensors_m, this.turn] = [scene, study, [], null, 0];
+    /** study(): the colleague that measures. fly() flies the scene. */
+    constructor(scene, study, fly) {
+        [this.scene, this.study, this.fly, this.points, this.sensors_m, this.turn] = [scene, study, fly, [], null, 0];
         this.schemes = scene.words(scene.key("options.scheme")).toSorted((a, b) => ["paper", "exact"].indexOf(b) - ["paper", "exact"].indexOf(a));
         const slider = (id, name, values, value) => {
             const input = element("input", { type: "range", id, min: 0, max: values.length - 1, step: 1, value: String(Math.max(0, values.indexOf(value))) });
@@ -53,7 +56,9 @@ export class Cost {
         other.sliders.forEach(({ input }, k) => (this.sliders[k].input.value = input.value));
         other.turn++;
         this.show_choice();
-        if (other.said.value) this.measure_chosen();
+        const point = this.points.find((own) => same(own, this.chosen));
+        if (other.is_measuring) this.measure_chosen();
+        else if (other.said.value && point) this.say_measured(point);
     }
 
     /** The choice of the sliders. */
@@ -75,15 +80,24 @@ export class Cost {
         this.draw();
     }
 
+    /** The scene but for its algorithm and rate: what is measured is of it. */
+    what() {
+        const { scene } = this, { sins } = scene, other = sins.scene_parse(scene.text);
+        if (!scene.is_log) sins.scene_set_values(other, FINE);
+        const key = sins.scene_write(other);
+        other.close();
+        return key;
+    }
+
     /** Drops what was measured in another flight. */
     of_scene() {
-        const { scene } = this, own = scene.text;
+        const own = this.what();
         if (this.text !== own) [this.text, this.points, this.sensors_m] = [own, [], null];
         return own;
     }
 
     async measure(options) {
-        const written = this.of_scene(), measured = await this.study().ask("measure", { text: written, options });
+        const written = this.of_scene(), measured = await this.study().ask("measure", { text: this.scene.text, options });
         if (written !== this.text) return null;
         if (options === null) this.sensors_m = measured.error_m;
         else this.points = [...this.points.filter((point) => !same(point, options)), { ...options, ...measured }];
@@ -92,14 +106,15 @@ export class Cost {
 
     /** Measures by act(due), unless the flight is a log. due(): nothing newer was asked for, and the scene is the same; without it nothing is said. */
     async measuring(act) {
-        const turn = ++this.turn, written = this.of_scene(), newest = () => turn === this.turn, due = () => newest() && written === this.scene.text;
+        const turn = ++this.turn, written = this.of_scene(), newest = () => turn === this.turn, due = () => newest() && written === this.what();
         if (this.scene.is_log) return void (this.said.value = text("cost_log"));
-        this.said.value = text("computing");
+        [this.said.value, this.is_measuring] = [text("computing"), true];
         try {
             await act(due);
         } catch (fault) {
             if (due()) this.said.value = this.scene.told(fault);
         }
+        if (newest()) this.is_measuring = false;
         if (newest() && !due() && this.said.value.startsWith(text("computing"))) this.said.value = "";
         this.draw();
     }
@@ -110,7 +125,7 @@ export class Cost {
             if (due() && this.sensors_m === null) await this.measure(null);
             if (!due()) return;
             this.draw();
-            this.said.value = text("cost_measured", this.name(chosen), shown(measured.error_m, 2), shown(measured.flown_s, 4), shown(measured.us_per_s, 2), shown(this.sensors_m, 2));
+            this.say_measured({ ...chosen, ...measured });
             for (const rate_hz of RATES_HZ.filter((rate) => rate !== chosen.rate_hz)) {
                 await this.measure({ ...chosen, rate_hz }); // the curve on which the choice is a point
                 if (!due()) return;
@@ -123,6 +138,7 @@ export class Cost {
     measure_all() {
         const all = RATES_HZ.flatMap((rate_hz) => this.schemes.flatMap((scheme) => SUBSAMPLES.map((subsamples) => ({ scheme, subsamples, rate_hz }))));
         return this.measuring(async (due) => {
+            if (this.sensors_m === null) await this.measure(null);
             for (const [k, options] of all.entries()) {
                 this.said.value = `${text("computing")} ${k + 1}/${all.length}`;
                 await this.measure(options);
@@ -131,6 +147,25 @@ export class Cost {
             }
             this.measure_chosen();
         });
+    }
+
+    say_measured(point) {
+        const { error_m, flown_s, us_per_s } = point;
+        this.said.value = text("cost_measured", this.name(point), shown(error_m, 2), shown(flown_s, 4), shown(us_per_s, 2), shown(this.sensors_m, 2));
+    }
+
+    /** Flies the scene with the algorithm of the point at a place of the diagram, if there is one. */
+    fly_at(plot, x, y) {
+        const far = ({ us_per_s, error_m }) => Math.hypot(plot.valToPos(us_per_s, "x") - x, plot.valToPos(Math.max(error_m, LEAST_M), "y") - y);
+        const point = this.points.reduce((nearest, own) => (nearest && far(nearest) <= far(own) ? nearest : own), null);
+        if (point === null || far(point) > REACH) return;
+        const places = [this.schemes.indexOf(point.scheme), SUBSAMPLES.indexOf(point.subsamples), RATES_HZ.indexOf(point.rate_hz)];
+        this.sliders.forEach(({ input }, k) => (input.value = places[k]));
+        [this.turn, this.is_measuring] = [this.turn + 1, false];
+        this.show_choice();
+        this.adopt();
+        this.say_measured(point);
+        this.fly();
     }
 
     /** The chosen algorithm becomes that of the scene. */
@@ -186,6 +221,7 @@ export class Cost {
             data,
             this.plot_at,
         );
+        plot.over.addEventListener("click", ({ offsetX, offsetY }) => this.fly_at(plot, offsetX, offsetY));
         plot.root.setAttribute("role", "img");
         plot.root.setAttribute("aria-label", text("What accuracy costs"));
         return plot;

@@ -6,12 +6,16 @@ const LONGEST_S = 600, BATCH = 4096;
 const LEAST_MS = 200;
 /** Records in the piece, among which the largest error is looked for. */
 const RECORDS = 200;
+/** Algorithm and rate for the error of the sensors, whatever those of the scene are. */
+export const FINE = 'options.scheme = "polynomial"\noptions.subsamples = 4\nflight.rate_hz = 100\n';
 
 /**
- * options: {scheme, subsamples, rate_hz}, or null for the sensors of the scene with its own options. Returns the largest distance from the
- * true flight [m], the time that a simulated second takes [us], and for how long was flown [s].
+ * options: {scheme, subsamples, rate_hz}, or null for the sensors of the scene with an algorithm that adds no error of its own. Returns the
+ * largest distance from the true flight [m], the time that a simulated second takes [us], and for how long was flown [s].
  */
-export function measure(sins, scene, options) {
+export function measure(sins, own_scene, options) {
+    const scene = sins.scene_parse(sins.scene_write(own_scene));
+    if (options === null) sins.scene_set_values(scene, FINE);
     const rate_hz = options?.rate_hz ?? sins.scene_get_setup(scene).rate_hz, flight = sins.scene_create_flight(scene);
     const flown_s = Math.min(sins.scene_get_setup(scene).flown_s, LONGEST_S), count = Math.floor(flown_s * rate_hz + 1e-6) + 1;
     const simulator = () => (options === null ? sins.scene_create_simulator(scene) : sins.create(options_of(sins, scene, options)));
@@ -25,6 +29,7 @@ export function measure(sins, scene, options) {
         sum_ms += round.spent_ms;
     } while (options !== null && sum_ms < LEAST_MS);
     flight.close();
+    scene.close();
     return { error_m, us_per_s: (1000 * least_ms) / ((count - 1) / rate_hz), flown_s: (count - 1) / rate_hz };
 }
 

@@ -46,7 +46,7 @@ class Page {
         document.title = text("page_title");
         this.display = new Display(scene, this.pilot);
         this.display.follow(display);
-        this.cost = new Cost(scene, () => this.study());
+        this.cost = new Cost(scene, () => this.study(), () => this.display.fly_at_once());
         this.cost.follow(cost);
         const languages = element("select", { id: "language", "aria-label": "Language 语言" }, ...options([["en", "English"], ["zh", "中文"]], language));
         languages.onchange = () => this.set_language(languages.value);

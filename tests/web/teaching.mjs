@@ -215,6 +215,40 @@ test("of two addresses that are opened one after the other, the last remains", a
     }
 });
 
+test("a click on a point of the diagram flies the scene with its algorithm, and the points stay", async (context) => {
+    const page = await opened(context, { hash: "#lesson=cost" });
+    await page.evaluate(() => {
+        const own = CanvasRenderingContext2D.prototype, { arc, clearRect } = own;
+        own.clearRect = function (...values) {
+            if (this.canvas.closest(".cost")) window.points = [];
+            return clearRect.apply(this, values);
+        };
+        own.arc = function (x, y, radius, ...others) {
+            if (this.canvas.closest(".cost") && radius === 3 * devicePixelRatio) window.points.push([x / devicePixelRatio, y / devicePixelRatio]);
+            return arc.call(this, x, y, radius, ...others);
+        };
+    });
+    await page.waitForFunction(() => window.points?.length === 7);
+    await until(page, /^Finished/);
+    const canvas = page.locator(".cost canvas"), [x, y] = (await page.evaluate(() => window.points)).sort((a, b) => a[1] - b[1])[0]; // the largest error: 10 Hz
+    const click = (right, down) => canvas.evaluate((own, [left, top]) => {
+        const { x, y } = own.getBoundingClientRect();
+        document.elementFromPoint(x + left, y + top).dispatchEvent(new MouseEvent("click", { clientX: x + left, clientY: y + top, bubbles: true }));
+    }, [x + right, y + down]);
+    await canvas.scrollIntoViewIfNeeded();
+    const rate = () => page.locator('[data-path="flight.rate_hz"]').inputValue();
+    await click(40, -40); // beside the points
+    assert.equal(await rate(), "");
+    await click(5, -5);
+    assert.equal(await rate(), "10");
+    await until(page, /^Finished/);
+    assert.match(await same_as_program(page, "clicked"), /^rate_hz = 10 /m);
+    assert.match(await page.locator("#cost_said").innerText(), /^exact, 2 subsamples, 10 Hz: 0\.\d+ m within 360 s/);
+    await page.locator("#cost_subsamples").fill("3");
+    await page.locator("#cost_subsamples").dispatchEvent("change");
+    await page.waitForFunction(() => window.points.length === 14);
+});
+
 /** Of a lesson's scene with other values, flown by the program: position errors [m], misalignment [arcmin], true heading, the record at a time. */
 function flown(name, values) {
     const file = [name, ...Object.entries(values).flat()].join("_").replace(/[^\w]/g, "");
@@ -270,6 +304,9 @@ test("what the lesson on cost says is so: algorithms on both sides of the error 
     assert.equal(sensors.flown_s, own.flown_s);
     assert.ok(simple.error_m > 2 * sensors.error_m && enough.error_m < sensors.error_m / 2 && fine.error_m < 1e-3 * enough.error_m);
     assert.ok(fine.us_per_s > enough.us_per_s); // ten times as many samples
+    sins.scene_set_values(scene, 'options.scheme = "exact"\noptions.subsamples = 1\nflight.rate_hz = 10\n');
+    const coarse = measure(sins, scene, null);
+    assert.ok(Math.abs(coarse.error_m / sensors.error_m - 1) < 1e-3, `${coarse.error_m} m`); // the error of the sensors alone
 });
 
 test("what the lesson on coning says is so: the drift of theory, and what makes it smaller", () => {
