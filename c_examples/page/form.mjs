@@ -191,3 +191,11 @@ export const section_name = (section) => {
     const index = ["gyro", "accelerometer", "altimeter", "gravity", "mounting", "start", "options", "flight", "output"].indexOf(section);
     return parts("sections")[index];
 };
+
+/** Selects a line of a text, and scrolls to it. */
+export function select_place(area, line, column) {
+    const lines = area.value.split("\n"), start = lines.slice(0, line - 1).reduce((sum, own) => sum + own.length + 1, 0);
+    area.focus();
+    area.setSelectionRange(start + Math.max(0, column - 1), start + (lines[line - 1]?.length ?? 0));
+    area.scrollTop = (area.scrollHeight / lines.length) * Math.max(0, line - 4);
+}

@@ -4,10 +4,10 @@ import { load } from "sins";
 import { Cost } from "./cost.mjs";
 import { Display } from "./display.mjs";
 import { of_link, on_drop, choose, save, text_of, to_link, unpacked } from "./files.mjs";
-import { fields, group, items, presets, section_name } from "./form.mjs";
+import { fields, group, items, presets, section_name, select_place } from "./form.mjs";
 import { lesson_made, lesson_of, row_of } from "./lessons.mjs";
 import { Scene } from "./scene.mjs";
-import { element, language, options, parts, read_texts, speak, text } from "./texts.mjs";
+import { element, language, options, parts, read_texts, remember_language, speak, stored_language, text } from "./texts.mjs";
 import { fly_log, refresh_within, trajectory } from "./trajectory.mjs";
 import { Colleague, serve } from "./worker.mjs";
 
@@ -165,11 +165,7 @@ class Page {
 
     set_language(wanted) {
         speak(wanted);
-        try {
-            localStorage.setItem("sins_language", wanted);
-        } catch {
-            // a page of a file may have no memory
-        }
+        remember_language();
         this.build();
     }
 
@@ -277,22 +273,6 @@ class Page {
 }
 
 const shown_s = (time_s) => Number(time_s.toPrecision(6));
-
-/** Selects a line of a text, and scrolls to it. */
-function select_place(area, line, column) {
-    const lines = area.value.split("\n"), start = lines.slice(0, line - 1).reduce((sum, own) => sum + own.length + 1, 0);
-    area.focus();
-    area.setSelectionRange(start + Math.max(0, column - 1), start + (lines[line - 1]?.length ?? 0));
-    area.scrollTop = (area.scrollHeight / lines.length) * Math.max(0, line - 4);
-}
-
-function stored_language() {
-    try {
-        return localStorage.getItem("sins_language");
-    } catch {
-        return null;
-    }
-}
 
 async function start() {
     const read = (id) => document.getElementById(id).textContent;

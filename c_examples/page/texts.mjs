@@ -18,6 +18,23 @@ export function speak(wanted) {
     language = wanted === "zh" ? "zh" : "en";
 }
 
+/** The language of the last visit, or null: a page of a file may have no memory. */
+export function stored_language() {
+    try {
+        return localStorage.getItem("sins_language");
+    } catch {
+        return null;
+    }
+}
+
+export function remember_language() {
+    try {
+        localStorage.setItem("sins_language", language);
+    } catch {
+        // no memory
+    }
+}
+
 /** A text by its name, with values for %1, %2, ... */
 export function text(name, ...values) {
     const found = tables[language].get(name) ?? name;
