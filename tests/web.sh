@@ -21,6 +21,7 @@ export SINS_WASM=${SINS_WASM:-$PWD/target/wasm}
 release/page.sh target/web
 SINS=$built/sins HOURS=${HOURS:-2} SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/page.mjs
 SINS=$built/sins SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/teaching.mjs
+SINS=$built/sins SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/lessons.mjs
 SINS=$built/sins node --test --test-reporter spec tests/web/pages.mjs
 SINS=$built/sins node --test --test-reporter spec tests/web/studies.mjs
 report_not_run

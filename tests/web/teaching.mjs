@@ -4,14 +4,11 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { resolve } from "node:path";
+import { readFileSync, writeFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { pathToFileURL } from "node:url";
 
-import { lessons_of, read_by } from "../../c_examples/page/lessons_of.mjs";
-import { measure } from "../../c_examples/page/measure.mjs";
+import { lessons_of } from "../../c_examples/page/lessons_of.mjs";
 import { processor_times } from "./browser.mjs";
 import { downloaded, fly, opened, out, press, same_as_program, set, start, state, stop, until } from "./user.mjs";
 
@@ -21,7 +18,7 @@ const OPENING_HOURS = (48 * 3600) / 360000;
 const MOST_TO_NODE = 4;
 /** Most time of the worker and of a task of the page for a move of a slider, in that of a flown hour at 100 Hz in Node. */
 const MOST_OF_SLIDER = 1 / 3;
-const { SINS, SINS_MODULE } = process.env;
+const { SINS } = process.env;
 let chromium, hour_ms;
 
 before(async () => ({ chromium, hour_ms } = await start()));
@@ -247,123 +244,6 @@ test("a click on a point of the diagram flies the scene with its algorithm, and 
     await page.locator("#cost_subsamples").fill("3");
     await page.locator("#cost_subsamples").dispatchEvent("change");
     await page.waitForFunction(() => window.points.length === 14);
-});
-
-/** Of a lesson's scene with other values, flown by the program: position errors [m], misalignment [arcmin], true heading, the record at a time. */
-function flown(name, values) {
-    const file = [name, ...Object.entries(values).flat()].join("_").replace(/[^\w]/g, "");
-    const sets = Object.entries(values).flatMap(([key, value]) => ["--set", `${key}=${value}`]);
-    execFileSync(SINS, ["fly", `${FOLDER}/${name}/scene.toml`, ...sets, "--name", file, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
-    const [head, ...lines] = readFileSync(`${out}/flown/expected/${file}.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
-    const column = (own, size = 1) => lines.map((line) => Number(line[head.indexOf(own)]) / size);
-    const [time_s, east, north] = [column("time_s"), ...["east", "north"].map((axis) => column(`navigation_error_position_${axis}_m`))];
-    const [tilt, up] = ["east", "up"].map((axis) => column(`navigation_error_misalignment_${axis}_rad`, Math.PI / 10800)), heading = column("truth_heading_rad");
-    const at = (wanted_s) => time_s.findIndex((own) => own >= wanted_s);
-    return { at, east, north, tilt, up, heading, off_m: time_s.map((_, k) => Math.hypot(east[k], north[k])) };
-}
-
-test("what the lesson on Schuler says is so at every latitude of its slider", () => {
-    const PERIOD_S = 5064, TURN_S = 86164, ARC_M = 1852, HOUR_S = 3600;
-    const latitudes = LESSONS.find(({ name }) => name === "schuler").slider.find(({ key }) => key === "flight.latitude_deg").values;
-    assert.ok(latitudes.includes(0) && latitudes.length > 4);
-    for (const latitude_deg of latitudes) {
-        const { at, east, north, tilt, off_m } = flown("schuler", { "flight.latitude_deg": latitude_deg });
-        const is_near = (value, wanted, by, what) => assert.ok(Math.abs(value - wanted) <= by, `${latitude_deg} deg: ${what}: ${value}, not ${wanted}`);
-        const first = off_m.slice(0, at(PERIOD_S)), swing = north.slice(at(4000), at(6000)), back = at(4000) + swing.indexOf(Math.min(...swing));
-        is_near(back, at(PERIOD_S), at(120), "the end of the first swing");
-        is_near(Math.max(...first), 2 * ARC_M, 0.015 * 2 * ARC_M, "the first swing");
-        is_near(off_m[back], 0, 0.04 * 2 * ARC_M, "where it returns");
-        assert.ok(Math.max(...off_m) <= 1.01 * 2 * ARC_M, `${latitude_deg} deg: ${Math.max(...off_m)} m within the day`);
-        is_near(tilt[0], 1, 1e-3, "the tilt at the start");
-        is_near(tilt[at(PERIOD_S / 4)], 0, (2 * Math.PI * 60) / PERIOD_S, "the tilt after a quarter of the period"); // within a record
-        is_near(tilt[at(PERIOD_S / 2)], -1, 0.05, "the tilt after half a period");
-        // Foucault: the line between two ends of the swing.
-        const turned = (from_s) => (([a, b]) => Math.atan2(east[b] - east[a], north[b] - north[a]))([at(from_s), at(from_s + PERIOD_S / 2)]);
-        is_near(((turned(2 * PERIOD_S) - turned(0)) * 180) / Math.PI / ((2 * PERIOD_S) / HOUR_S), 15 * Math.sin((latitude_deg * Math.PI) / 180), 0.5, "Foucault");
-        // The middle of the swing is the first tilt, as north and east turn away from it. Within a period the plane of the swing turns too.
-        const middle = (from_s) => north.slice(at(from_s), at(from_s + PERIOD_S)).reduce((sum, own, _, all) => sum + own / all.length, 0);
-        const turn = (time_s) => (2 * Math.PI * (time_s + PERIOD_S / 2)) / TURN_S;
-        for (const from_s of [0, TURN_S / 4, TURN_S / 2]) is_near(middle(from_s), ARC_M * Math.cos(turn(from_s)), (PERIOD_S / TURN_S) * ARC_M, "the middle of the swing");
-
-        const drift = flown("schuler", { "flight.latitude_deg": latitude_deg, "start.misalignment_arcmin[0]": 0, "gyro.bias_deg_h[0]": 0.01 });
-        const grown = (from_s, to_s) => Math.abs(drift.north[drift.at(to_s)] - drift.north[drift.at(from_s)]) / (to_s - from_s);
-        // The rate is as cos(2 pi t / turn) - cos(2 pi t / period): of its mean, -0.07 at the first step and -0.31 at the second.
-        for (const k of [1, 2]) assert.ok(grown(k * PERIOD_S - 150, k * PERIOD_S + 150) < 0.35 * grown((k - 1) * PERIOD_S, k * PERIOD_S), `${latitude_deg} deg: step ${k}`);
-        const most_m = Math.max(...drift.off_m);
-        assert.ok(most_m > 2 * ARC_M && drift.off_m[drift.at(TURN_S)] < 0.03 * most_m, `${latitude_deg} deg: ${drift.off_m[drift.at(TURN_S)]} m of ${most_m} m`);
-    }
-});
-
-test("what the lesson on cost says is so: algorithms on both sides of the error of its sensors", async () => {
-    const { load } = await import(pathToFileURL(resolve(SINS_MODULE))), sins = await load();
-    const scene = sins.scene_parse(LESSONS.find(({ name }) => name === "cost").scene), own = sins.scene_get_setup(scene);
-    assert.ok(own.flown_s <= 600); // the whole of it is measured
-    const sensors = measure(sins, scene, null), at = (scheme, subsamples, rate_hz) => measure(sins, scene, { scheme, subsamples, rate_hz });
-    const [simple, enough, fine] = [at("exact", 1, 10), at("exact", 2, 10), at("polynomial", 4, 100)];
-    console.log(`page: sensors ${sensors.error_m.toPrecision(2)} m; ${[simple, enough, fine].map((one) => `${one.error_m.toPrecision(2)} m`).join(", ")}`);
-    assert.equal(sensors.flown_s, own.flown_s);
-    assert.ok(simple.error_m > 2 * sensors.error_m && enough.error_m < sensors.error_m / 2 && fine.error_m < 1e-3 * enough.error_m);
-    assert.ok(fine.us_per_s > enough.us_per_s); // ten times as many samples
-    sins.scene_set_values(scene, 'options.scheme = "exact"\noptions.subsamples = 1\nflight.rate_hz = 10\n');
-    const coarse = measure(sins, scene, null);
-    assert.ok(Math.abs(coarse.error_m / sensors.error_m - 1) < 1e-3, `${coarse.error_m} m`); // the error of the sensors alone
-});
-
-test("what the lesson on coning says is so: the drift of theory, and what makes it smaller", () => {
-    const drift_deg_h = (values = {}) => {
-        const { at, up, heading } = flown("coning", values), [from, to] = [at(30), at(270)]; // 10 s of ramps at both ends
-        assert.ok(Math.max(...heading.map((own) => Math.abs(Math.sin(own)))) < 1e-12); // it stays
-        return ((up[to] - up[from]) / 60 / 240) * 3600;
-    };
-    const [a, w, T] = [(5 * Math.PI) / 180, 2 * Math.PI * 0.5, 0.1], theory_deg_h = ((a * a * w) / 2) * (1 - Math.sin(w * T) / (w * T)) * (180 / Math.PI) * 3600;
-    const one = drift_deg_h(), is_near = (value, wanted, part, what) => assert.ok(Math.abs(value - wanted) <= part * wanted, `${what}: ${value}, not ${wanted}`);
-    is_near(one, theory_deg_h, 0.01, "the drift");
-    is_near(theory_deg_h, 40, 0.02, "theory");
-    is_near(flown("coning", {}).up.at(-1), 3.2 * 60, 0.02, "the end");
-    is_near(one / drift_deg_h({ "options.subsamples": 2 }), 1000, 0.2, "two subsamples");
-    is_near(one / drift_deg_h({ "flight.rate_hz": 100 }), 100, 0.02, "ten times the rate");
-    is_near(one / drift_deg_h({ "manoeuvre[0].sinusoid[0].amplitude_deg": 2.5 }), 2, 0.01, "half of the roll");
-    assert.ok(Math.abs(drift_deg_h({ "manoeuvre[0].sinusoid[0].amplitude_deg": 0 })) < 1e-4 * one);
-});
-
-test("a lesson that is not complete is not packed, and the fault names its file", async () => {
-    const own = `${out}/lessons`, files = Object.fromEntries(["scene.toml", "lesson.toml", "en.md", "zh.md"].map((name) => [name, readFileSync(`${FOLDER}/schuler/${name}`, "utf8")]));
-    const packed = (changes, name = "own") => {
-        rmSync(own, { recursive: true, force: true });
-        mkdirSync(`${own}/${name}`, { recursive: true });
-        for (const [file, text] of Object.entries({ ...files, ...changes })) if (text !== null) writeFileSync(`${own}/${name}/${file}`, text);
-        return lessons_of(own);
-    };
-    assert.equal(packed({})[0].mark.length, 2);
-    const settings = files["lesson.toml"], words = files["en.md"];
-    for (const [file, text, says] of [
-        ["zh.md", null, /zh\.md: .*no such file/],
-        ["scene.toml", null, /scene\.toml: .*no such file/],
-        ["lesson.toml", null, /lesson\.toml: .*no such file/],
-        ["lesson.toml", `${settings}colour = 1\n`, /lesson\.toml: line \d+: no such key: colour = 1/],
-        ["lesson.toml", `toString = 1\n${settings}`, /no such key/],
-        ["lesson.toml", `${settings}[[slide]]\n`, /no such list/],
-        ["lesson.toml", `order = 2\n${settings}`, /a second time: order = 1/],
-        ["lesson.toml", settings.replace('"position"', '"height"'), /not a value of this key: shows = "height"/],
-        ["lesson.toml", settings.replace('"position"', "position"), /expected a text in quotes/],
-        ["lesson.toml", settings.replace("order = 1\n", ""), /expected order, shows/],
-        ["lesson.toml", settings.replace("at_s = 5064\n", ""), /\[\[mark\]\]: expected at_s, en, zh/],
-        ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", "values = [0]"), /not a value of this key: values = \[0\]/],
-        ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", 'values = [0, "x"]'), /not a value of this key/],
-        ["en.md", words.slice(2), /en\.md: expected a heading/],
-        ["en.md", "# Title\n\nQuestion?\n", /expected a question and at least one paragraph/],
-        ["en.md", `${words}\n\n- a list\n`, /plain text: - a list/],
-        ["en.md", `${words}\n\nSee [this](https://example.org).\n`, /plain text/],
-        ["en.md", `${words}\n\n<b>bold</b>\n`, /plain text/],
-    ]) assert.throws(() => packed({ [file]: text }), says);
-    assert.throws(() => packed({}, "Own"), /expected a name of small letters/);
-    const { load } = await import(pathToFileURL(resolve(SINS_MODULE))), sins = await load();
-    assert.equal(read_by(sins, packed({})).length, 1);
-    const beyond = packed({ "lesson.toml": settings.replace("0.02, 0.05]", "0.02, 1e9]") }), unknown = packed({ "lesson.toml": settings.replace("gyro.bias", "gyro.bais") });
-    assert.throws(() => read_by(sins, beyond), /own\/lesson\.toml: gyro\.bias_deg_h\[0\] = 1e9: must be from/);
-    assert.throws(() => read_by(sins, unknown), /own\/lesson\.toml: .*bais_deg_h/);
-    const faulty = packed({ "scene.toml": files["scene.toml"].replace("latitude_deg", "latitud_deg") });
-    assert.throws(() => read_by(sins, faulty), /^Error: own\/scene\.toml:7:1: no such key: latitud_deg; did you mean latitude_deg\?$/);
 });
 
 test("a slider of a lesson flies each of its values at once, and the last one of a drag remains", async (context) => {
