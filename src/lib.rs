@@ -48,7 +48,7 @@
 //! | [`errors`] | error data 2 (`difference`) and 1 (`model`, equations (4)-(6)); the covariance of the errors along the same truth ([`errors::covariance`]); errors that the host estimated, removed ([`errors::correction`]) |
 //! | `simulator` | the blocks of the paper's figure 1 put together |
 //! | [`ensemble`] | many runs of one simulator over the same samples; the statistics of their errors ([`ensemble::statistics`]) |
-//! | [`analysis`] | the cheapest options that meet an accuracy ([`analysis::recommend`]), the share of each effect in the errors ([`analysis::budget`]) |
+//! | [`analysis`] | the cheapest options that meet an accuracy ([`analysis::recommend`]), the share of each effect in the errors ([`analysis::budget`]), the errors of real sensors from a record ([`analysis::identify`]) |
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status; its words of ARINC 429 ([`unit::bus`]) |
 //! | `scene` | a whole scene as text, its failures and updates (feature `scenes`) |
 //! | [`abi`] | the C interface; its handles and locks (`abi::boundary`) |
@@ -114,6 +114,7 @@
 //! | recommended options meet the requirement, and cheaper ones do not | `tests/analysis/recommend` |
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance`, `tests/analysis/covariance_runs` |
 //! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |
+//! | the 95 % intervals of identified errors hold in 93 to 97 % of records, clocks are right to 1 ms, axes in all | `tests/analysis/identify.rs` |
 //! | geodetic conversions are accurate to a nanometre | `tests/physics/earth.rs` |
 //! | every getter returns what its setter was given | `tests/state/read_back.rs` |
 //! | a scene in flight gives the bits of the calls one by one, from any snapshot; a rejected sample changes nothing of what follows | `tests/interface/play.rs` |

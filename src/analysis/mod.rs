@@ -1,4 +1,6 @@
-//! What a flight costs and what its errors come from: the cheapest options that meet an accuracy, and the share of each effect.
+//! What a flight costs and what its errors come from: the cheapest options that meet an accuracy, the share of each
+//! effect, and the errors of real sensors from a record.
 
 pub mod budget;
+pub mod identify;
 pub mod recommend;

@@ -13,6 +13,8 @@ mod covariance;
 mod covariance_runs;
 mod error_budget;
 #[cfg(feature = "scenes")]
+mod identify;
+#[cfg(feature = "scenes")]
 mod judge;
 mod recommend;
 #[cfg(feature = "scenes")]

@@ -1,0 +1,216 @@
+//! Which axis of the record is which of the path: the signed exchange nearest to the truth, and whether both are of one motion.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::blocks::Block;
+use super::path::{IdealPath, Six};
+use super::prior::Prior;
+use crate::base::error::{Error, Rule};
+use crate::base::math::hypot;
+use crate::base::memory::room;
+use crate::base::units::STANDARD_GRAVITY;
+
+/// A correlation of the rates that only the same motion has.
+const SAME: f64 = 0.9;
+/// The least part of the correlation that the noise of the record leaves.
+const OF_POSSIBLE: f64 = 0.7;
+/// Sizes of the signals of the record over those of the path that are possible.
+const SIZES: (f64, f64) = (0.7, 1.4);
+/// An exchange is excluded by this chi-square, of a tenth of the blocks: neighbours depend on each other.
+const EXCLUDED: f64 = 50.0;
+const INDEPENDENT: f64 = 0.1;
+/// Tilt of a block that stands square, for the comparison of the mean forces \[rad\].
+const TILT: f64 = 0.05;
+
+/// The signed exchange of axes: signals of the record = `exchange` times those of the path, nearly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axes {
+    /// Signed permutation without reflection.
+    pub exchange: Matrix3<f64>,
+    /// Whether the motion excludes all other exchanges.
+    pub is_seen: bool,
+}
+
+impl Axes {
+    /// The 24 signed exchanges without reflection.
+    pub fn exchanges() -> impl Iterator<Item = Matrix3<f64>> {
+        let orders = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
+        orders.into_iter().flat_map(|order| {
+            (0..8_u8).filter_map(move |signs| {
+                let mut matrix = Matrix3::zeros();
+                for (row, column) in order.into_iter().enumerate() {
+                    matrix[(row, column)] = if signs >> row & 1 == 0 { 1.0 } else { -1.0 };
+                }
+                (matrix.determinant() > 0.0).then_some(matrix)
+            })
+        })
+    }
+}
+
+/// Sums over the blocks of one triad, each signal less its mean.
+struct Sums {
+    cross: Matrix3<f64>,
+    recorded: f64,
+    ideal: f64,
+    means: (Vector3<f64>, Vector3<f64>),
+    /// Sum of squares that the second differences of neighbouring blocks show.
+    noise: f64,
+    count: f64,
+}
+
+impl Sums {
+    fn new(pairs: &[(Six, Six)], part: usize) -> Self {
+        let of = |signal: &Six| signal.fixed_rows::<3>(3 * part).into_owned();
+        let count = pairs.len() as f64;
+        let means = pairs.iter().fold((Vector3::zeros(), Vector3::zeros()), |sum, pair| {
+            (sum.0 + of(&pair.0) / count, sum.1 + of(&pair.1) / count)
+        });
+        let mut sums = Self { cross: Matrix3::zeros(), recorded: 0.0, ideal: 0.0, means, noise: 0.0, count };
+        for (m, u) in pairs {
+            let (m, u) = (of(m) - means.0, of(u) - means.1);
+            sums.cross += m * u.transpose();
+            sums.recorded += m.norm_squared();
+            sums.ideal += u.norm_squared();
+        }
+        // White noise has second differences of six times its variance.
+        sums.noise = pairs
+            .windows(3)
+            .map(|w| (of(&w[0].0) - 2.0 * of(&w[1].0) + of(&w[2].0)).norm_squared())
+            .sum::<f64>()
+            / 6.0;
+        sums
+    }
+
+    fn correlation(&self, axes: &Matrix3<f64>) -> f64 {
+        let size = (self.recorded * self.ideal).sqrt();
+        if size > 0.0 { self.along(axes) / size } else { 0.0 }
+    }
+
+    /// Size of the record over that of the path.
+    fn size(&self, axes: &Matrix3<f64>) -> f64 {
+        self.along(axes) / self.ideal
+    }
+
+    fn along(&self, axes: &Matrix3<f64>) -> f64 {
+        axes.component_mul(&self.cross).sum()
+    }
+
+    /// Sum of squares of the differences from the record, the mean aside.
+    fn rest(&self, axes: &Matrix3<f64>) -> f64 {
+        (self.recorded + self.ideal - 2.0 * self.along(axes)).max(0.0)
+    }
+
+    /// The correlation that the noise leaves to the signals of the path.
+    fn possible(&self) -> f64 {
+        let size = self.ideal + self.noise;
+        if size > 0.0 { (self.ideal / size).sqrt() } else { 0.0 }
+    }
+}
+
+/// What axes and rates say of the record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Match {
+    pub axes: Axes,
+    /// Whether the motion of the path stands out of the noise of the record.
+    pub is_moving: bool,
+}
+
+/// The exchange of axes at a shift of the clock. Rejects a record of another motion, in other units, or with reversed forces.
+pub(super) fn find(
+    path: &IdealPath,
+    blocks: &[Block],
+    offset_s: f64,
+    given: Option<&Matrix3<f64>>,
+    prior: &Prior,
+) -> Result<Match, Error> {
+    let mut pairs: Vec<(Six, Six)> = room(blocks.len())?;
+    let mean = |block: &Block| path.mean(block.start_s + offset_s, block.end_s + offset_s);
+    pairs.extend(blocks.iter().filter_map(|block| Some((block.mean, mean(block)?.0))));
+    if pairs.len() < 50 {
+        let rule = Rule::Sentence("the path and the record have less than 50 blocks of time in common");
+        return Err(Error::invalid("record.blocks", pairs.len(), rule));
+    }
+    let (gyro, accel) = (Sums::new(&pairs, 0), Sums::new(&pairs, 1));
+    let best_of = |sums: &Sums, sign: f64| {
+        let along = |axes: &Matrix3<f64>| sign * sums.along(axes);
+        Axes::exchanges().max_by(|a, b| along(a).total_cmp(&along(b))).unwrap_or_else(Matrix3::identity)
+    };
+    // Units first: the rates correlate in any unit.
+    let turned = given.copied().unwrap_or_else(|| best_of(&gyro, 1.0));
+    let correlation = gyro.correlation(&turned);
+    if correlation > SAME {
+        check_size(
+            "record.angle",
+            gyro.size(&turned),
+            "the rates of the record are those of the path times this: another unit?",
+        )?;
+    }
+    let (recorded, ideal) = (accel.means.0.norm(), accel.means.1.norm());
+    let forces = (accel.recorded / accel.count).sqrt().max(recorded);
+    let size = forces / (accel.ideal / accel.count).sqrt().max(ideal);
+    check_size(
+        "record.velocity",
+        size,
+        "the forces of the record are those of the path times this: another unit?",
+    )?;
+    let is_moving = gyro.possible() > 0.5 || accel.possible() > 0.5;
+    let quality = |sums: &Sums, axes: &Matrix3<f64>| sums.correlation(axes) / sums.possible().max(0.5);
+    let forced = given.copied().unwrap_or_else(|| best_of(&accel, 1.0));
+    let is_same = quality(&gyro, &turned) > OF_POSSIBLE || quality(&accel, &forced) > OF_POSSIBLE;
+    let is_at_rest = gyro.recorded < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
+    if (is_moving && !is_same) || (!is_moving && !is_at_rest) {
+        let rule = Rule::Sentence(
+            "correlation of its rates with those of the path at the best shift of the clock: the record is of another motion",
+        );
+        return Err(Error::invalid("record.motion", correlation, rule));
+    }
+
+    // Chi-square of an exchange: the rest over its least value, and the means by the biases that sensors may have.
+    let of = |sums: &Sums, axes: &Matrix3<f64>| {
+        let least = sums.rest(&best_of(sums, 1.0)).max(sums.noise).max(1e-12 * sums.ideal);
+        if least > 0.0 { sums.rest(axes) / least * (INDEPENDENT * 3.0 * sums.count) } else { 0.0 }
+    };
+    let bias = hypot(TILT * STANDARD_GRAVITY, prior.accel_bias);
+    let mean = |axes: &Matrix3<f64>| (accel.means.0 - axes * accel.means.1).norm_squared() / (bias * bias);
+    let chi_square = |axes: &Matrix3<f64>| of(&gyro, axes) + of(&accel, axes) + mean(axes);
+    // The rates alone say which exchanges are possible; forces that oppose the path in all of them are reversed.
+    let turns_as_well = |axes: &Matrix3<f64>| of(&gyro, axes) < of(&gyro, &turned) + EXCLUDED;
+    let opposes = |axes: Matrix3<f64>| accel.means.0.dot(&(axes * accel.means.1)) < -0.5 * recorded * ideal;
+    if correlation > SAME && Axes::exchanges().filter(turns_as_well).all(opposes) {
+        let rule = Rule::Sentence("along the forces of the path: the specific forces have the opposite sign");
+        return Err(Error::invalid("record.velocity", -recorded, rule));
+    }
+    if let Some(exchange) = given {
+        return Ok(Match { axes: Axes { exchange: *exchange, is_seen: true }, is_moving });
+    }
+    let order = |a: &Matrix3<f64>, b: &Matrix3<f64>| chi_square(a).total_cmp(&chi_square(b));
+    let exchange = Axes::exchanges().min_by(order).unwrap_or_else(Matrix3::identity);
+    let excluded = chi_square(&exchange) + EXCLUDED;
+    let possible = |axes: &Matrix3<f64>| chi_square(axes) < excluded;
+    let is_seen = Axes::exchanges().filter(possible).count() == 1;
+    let identity = Matrix3::identity();
+    let exchange = if possible(&identity) { identity } else { exchange };
+    Ok(Match { axes: Axes { exchange, is_seen }, is_moving })
+}
+
+fn check_size(field: &'static str, size: f64, why: &'static str) -> Result<(), Error> {
+    if (SIZES.0..=SIZES.1).contains(&size) {
+        return Ok(());
+    }
+    Err(Error::invalid(field, size, Rule::Sentence(why)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn there_are_24_exchanges_that_are_rotations() {
+        let all: Vec<_> = Axes::exchanges().collect();
+        assert_eq!(all.len(), 24);
+        for (k, a) in all.iter().enumerate() {
+            assert!((a * a.transpose() - Matrix3::identity()).norm() == 0.0 && a.determinant() == 1.0);
+            assert!(all[..k].iter().all(|b| a != b));
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! The record as means over blocks of nearly equal length: what the fit reads of it.
+
+use super::path::{Six, six};
+use crate::base::error::{Error, ErrorKind, Rule, check_range};
+use crate::base::memory::{room, room_for_one_more};
+use crate::signal::Increment;
+
+/// An increment that real sensors measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RecordedIncrement {
+    /// Time of the end of the interval on the clock of the record [s].
+    pub time_s: f64,
+    /// Length of the interval [s], 1e-6 to 60.
+    pub interval_s: f64,
+    /// Integrals of the measured angular rate and specific force over the interval, axes of the record.
+    pub increment: Increment,
+}
+
+/// Fewest increments of a record.
+pub const FEWEST_INCREMENTS: usize = 100;
+
+/// Largest number of blocks, and the shortest block [s]: an hour has blocks of 0.9 s.
+const MOST_BLOCKS: f64 = 4096.0;
+const SHORTEST_S: f64 = 0.2;
+
+/// Largest signal of a record [rad/s] or [m/s²]: that of the ranges of the sensors.
+const LARGEST: f64 = 1e6;
+
+/// Mean of consecutive increments.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Block {
+    /// Begin and end on the clock of the record [s].
+    pub start_s: f64,
+    pub end_s: f64,
+    /// Time without a record before the block [s].
+    pub gap_s: f64,
+    /// Mean signals.
+    pub mean: Six,
+}
+
+impl Block {
+    pub fn length_s(&self) -> f64 {
+        self.end_s - self.start_s
+    }
+
+    pub fn middle_s(&self) -> f64 {
+        0.5 * (self.start_s + self.end_s)
+    }
+}
+
+/// The blocks of a record.
+pub(super) struct Blocks {
+    pub blocks: Vec<Block>,
+    /// Mean interval of the record [s].
+    pub interval_s: f64,
+}
+
+impl Blocks {
+    /// Checks the record, and makes blocks of it.
+    pub fn new(record: &[RecordedIncrement]) -> Result<Self, Error> {
+        let count = record.len();
+        if count < FEWEST_INCREMENTS {
+            let rule = Rule::AtLeast("must be at least", (FEWEST_INCREMENTS as u64).into());
+            return Err(Error::invalid("record.count", count, rule));
+        }
+        check(record)?;
+        let span_s = record[count - 1].time_s - record[0].time_s + record[0].interval_s;
+        let interval_s = record.iter().map(|row| row.interval_s).sum::<f64>() / count as f64;
+        let wanted_s = (span_s / MOST_BLOCKS).max(SHORTEST_S) * (1.0 - 1e-9);
+        let mut blocks: Vec<Block> = room(count.min(2 * MOST_BLOCKS as usize))?;
+        let mut open: Option<Block> = None;
+        let mut length_s = 0.0;
+        for row in record {
+            let start_s = row.time_s - row.interval_s;
+            let gap_s = open.or(blocks.last().copied()).map_or(0.0, |last| start_s - last.end_s);
+            // Stamps scatter: what is less than half an interval is no gap.
+            let gap_s = if gap_s > 0.5 * row.interval_s { gap_s } else { 0.0 };
+            if gap_s > 0.0 {
+                // The end of a piece is shorter than a block, and left out unless it is at least half of one.
+                close(&mut blocks, open.take().filter(|_| length_s >= 0.5 * wanted_s), length_s)?;
+            }
+            if open.is_none() {
+                length_s = 0.0;
+            }
+            let block = open.get_or_insert(Block { start_s, end_s: start_s, gap_s, mean: Six::zeros() });
+            block.mean += six(&row.increment);
+            block.end_s = row.time_s;
+            length_s += row.interval_s;
+            if length_s >= wanted_s {
+                close(&mut blocks, open.take(), length_s)?;
+            }
+        }
+        if blocks.len() < FEWEST_INCREMENTS / 2 {
+            let rule =
+                Rule::SentenceWith("too short: blocks of 0.2 s without a gap, at least", 50_u64.into());
+            return Err(Error::invalid("record.blocks", blocks.len(), rule));
+        }
+        Ok(Self { blocks, interval_s })
+    }
+}
+
+/// Adds a block whose mean is still a sum, over the intervals of its increments: stamps scatter.
+fn close(blocks: &mut Vec<Block>, block: Option<Block>, length_s: f64) -> Result<(), Error> {
+    if let Some(block) = block {
+        room_for_one_more(blocks)?;
+        blocks.push(Block { start_s: block.end_s - length_s, mean: block.mean / length_s, ..block });
+    }
+    Ok(())
+}
+
+/// Rejects increments that go back in time, and signals that no sensor has.
+fn check(record: &[RecordedIncrement]) -> Result<(), Error> {
+    let mut last_s = f64::NEG_INFINITY;
+    for (index, row) in record.iter().enumerate() {
+        check_range("record.interval_s", row.interval_s, 1e-6, 60.0).map_err(|error| error.at(index))?;
+        check_range("record.time_s", row.time_s, -1e12, 1e12).map_err(|error| error.at(index))?;
+        if row.time_s <= last_s {
+            let rule = Rule::SentenceWith("must be later than the increment before, at", last_s.into());
+            return Err(Error::of(ErrorKind::TimeOrder, "record.time_s", row.time_s, rule).at(index));
+        }
+        last_s = row.time_s;
+        for (part, value) in six(&row.increment).iter().enumerate() {
+            let name = if part < 3 { "record.angle" } else { "record.velocity" };
+            check_range(name, value / row.interval_s, -LARGEST, LARGEST).map_err(|error| error.at(index))?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    fn record(count: usize, time_s: impl Fn(usize) -> f64) -> Vec<RecordedIncrement> {
+        let increment = Increment { angle: Vector3::new(0.02, 0.0, 0.0), velocity: Vector3::zeros() };
+        (0..count).map(|k| RecordedIncrement { time_s: time_s(k), interval_s: 0.01, increment }).collect()
+    }
+
+    #[test]
+    fn blocks_are_means_and_end_at_gaps() {
+        let gap = |k: usize| 0.01 * (k + if k < 1010 { 0 } else { 500 }) as f64;
+        let found = Blocks::new(&record(2010, gap)).unwrap();
+        assert_eq!(found.blocks.len(), 100);
+        assert!(found.blocks.iter().all(|block| (block.mean[0] - 2.0).abs() < 1e-9));
+        assert!((found.blocks[50].gap_s - 5.1).abs() < 1e-9, "{:?}", found.blocks[50]);
+        assert!(found.blocks.iter().all(|block| (block.length_s() - 0.2).abs() < 1e-9));
+    }
+
+    #[test]
+    fn what_is_no_record_is_named() {
+        let error = |record: &[RecordedIncrement]| Blocks::new(record).err().unwrap().to_string();
+        assert_eq!(error(&[]), "record.count = 0: must be at least 100");
+        let back = record(200, |k| if k == 150 { 0.0 } else { 0.01 * k as f64 });
+        assert_eq!(error(&back), "record.time_s[150] = 0: must be later than the increment before, at 1.49");
+        let mut wild = record(200, |k| 0.01 * k as f64);
+        wild[3].increment.velocity.y = f64::NAN;
+        assert_eq!(error(&wild), "record.velocity[3] = NaN: must be from -1e6 to 1e6");
+    }
+}

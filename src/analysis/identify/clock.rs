@@ -1,0 +1,158 @@
+//! How the clock of the record is shifted against that of the path, from the motion that both have.
+
+use nalgebra::Matrix3;
+
+use super::blocks::Block;
+use super::path::{IdealPath, Six};
+use crate::base::error::Error;
+use crate::base::memory::{filled, room};
+
+/// Largest number of cells of the record and of the path, and the shortest cell [s].
+const MOST_CELLS: f64 = 2500.0;
+const SHORTEST_S: f64 = 0.2;
+/// A shift whose score is this part of the best one fits as well.
+const AS_WELL: f64 = 0.9;
+/// The peak of a shift ends where the score falls below this part.
+const PEAK: f64 = 0.5;
+/// Part of a cell between the shifts that are tried in the second round.
+const FINE: f64 = 0.125;
+
+/// A shift of the clock and how well it fits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Shift {
+    /// Path time less record time [s].
+    pub offset_s: f64,
+    pub score: f64,
+}
+
+/// The best shift, and another one that fits as well, if there is one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Found {
+    pub best: Shift,
+    pub other: Option<Shift>,
+}
+
+/// Searches the shift at which the signals of the record and of the path belong together. The score of a shift is
+/// ```text
+/// Σ |C|² / (Σ|m|² Σ|u|²),   C = Σ m(t) u(t + shift)ᵀ
+/// ```
+/// over the gyros and over the accelerometers, with m of the record and u of the path, each less its mean. The Frobenius norm |C| does not
+/// depend on the axes of the record, and the means not on its biases.
+pub(super) fn search(path: &IdealPath, blocks: &[Block]) -> Result<Found, Error> {
+    let (begin_s, end_s) = path.ends_s()?;
+    let (first_s, last_s) = (blocks[0].start_s, blocks[blocks.len() - 1].end_s);
+    let longest = blocks.iter().map(Block::length_s).fold(0.0, f64::max);
+    let cell_s = ((end_s - begin_s).max(last_s - first_s) / MOST_CELLS).max(SHORTEST_S).max(longest);
+    let count = |span_s: f64| ((span_s / cell_s) as usize).max(1);
+    let mut recorded = filled(count(last_s - first_s), (0.0, Six::zeros()))?;
+    for block in blocks {
+        let cell = ((block.middle_s() - first_s) / cell_s) as usize;
+        if let Some((weight, sum)) = recorded.get_mut(cell) {
+            *weight += block.length_s();
+            *sum += block.mean * block.length_s();
+        }
+    }
+    recorded.iter_mut().filter(|cell| cell.0 > 0.0).for_each(|(weight, sum)| *sum /= *weight);
+    let mut ideal = filled(count(end_s - begin_s), (0.0, Six::zeros()))?;
+    for (k, cell) in ideal.iter_mut().enumerate() {
+        let start_s = begin_s + k as f64 * cell_s;
+        if let Some((mean, _)) = path.mean(start_s, start_s + cell_s) {
+            *cell = (1.0, mean);
+        }
+    }
+    let (sizes, of_path) = (center(&mut recorded), center(&mut ideal));
+    let size = [0, 1].map(|part| sizes[part] * of_path[part]);
+    // Shift k - (cells of the record - 1), in cells.
+    let shifts = recorded.len() + ideal.len() - 1;
+    let mut scores = room(shifts)?;
+    for k in 0..shifts {
+        let lag = k as isize - (recorded.len() as isize - 1);
+        let from = (-lag).max(0) as usize;
+        let to = recorded.len().min((ideal.len() as isize - lag).max(0) as usize);
+        let pairs = (from..to).map(|place| (&recorded[place].1, &ideal[(place as isize + lag) as usize].1));
+        scores.push(score(pairs, &size));
+    }
+    let shift = |k: usize| Shift {
+        offset_s: begin_s - first_s + (k as f64 - (recorded.len() as f64 - 1.0)) * cell_s,
+        score: scores[k],
+    };
+    let top = (0..shifts).max_by(|&a, &b| scores[a].total_cmp(&scores[b])).unwrap_or(0);
+    // Repeated manoeuvres: of several peaks that fit as well the one at no shift, if there is one.
+    let near = (0..shifts)
+        .filter(|&k| scores[k] >= AS_WELL * scores[top])
+        .min_by(|&a, &b| shift(a).offset_s.abs().total_cmp(&shift(b).offset_s.abs()))
+        .filter(|&k| shift(k).offset_s.abs() <= 2.0 * cell_s);
+    let best = near.unwrap_or(top);
+    let ends = |step: isize| {
+        let mut end = best as isize;
+        while (0..shifts as isize).contains(&end) && scores[end as usize] > PEAK * scores[best] {
+            end += step;
+        }
+        end
+    };
+    let (low, high) = (ends(-1), ends(1));
+    let other = (0..shifts)
+        .filter(|&k| (k as isize) < low || (k as isize) > high)
+        .filter(|&k| scores[k] >= AS_WELL * scores[best] && near.is_none())
+        .max_by(|&a, &b| scores[a].total_cmp(&scores[b]));
+    let other = other.map(shift);
+    let best = refine(path, blocks, shift(best), cell_s)?;
+    Ok(Found { best, other })
+}
+
+/// The best shift within a cell around `coarse`, by the blocks themselves.
+fn refine(path: &IdealPath, blocks: &[Block], coarse: Shift, cell_s: f64) -> Result<Shift, Error> {
+    let mut best = Shift { score: 0.0, ..coarse };
+    let mut pairs: Vec<(Six, Six)> = room(blocks.len())?;
+    let steps = (1.5 / FINE) as i32;
+    for step in -steps..=steps {
+        let offset_s = coarse.offset_s + f64::from(step) * FINE * cell_s;
+        pairs.clear();
+        let mean = |block: &Block| path.mean(block.start_s + offset_s, block.end_s + offset_s);
+        pairs.extend(blocks.iter().filter_map(|block| Some((block.mean, mean(block)?.0))));
+        let count = pairs.len().max(1) as f64;
+        let (recorded, ideal) =
+            pairs.iter().fold((Six::zeros(), Six::zeros()), |a, b| (a.0 + b.0, a.1 + b.1));
+        let mut size = [0.0; 2];
+        for (m, u) in &mut pairs {
+            *m -= recorded / count;
+            *u -= ideal / count;
+        }
+        for (part, size) in size.iter_mut().enumerate() {
+            *size = squares(pairs.iter().map(|pair| &pair.0), part)
+                * squares(pairs.iter().map(|pair| &pair.1), part);
+        }
+        let score = score(pairs.iter().map(|(m, u)| (m, u)), &size);
+        if score > best.score {
+            best = Shift { offset_s, score };
+        }
+    }
+    Ok(best)
+}
+
+/// Subtracts the mean of the cells with a value; the others become 0. Returns the sums of squares of gyros and accelerometers.
+fn center(cells: &mut [(f64, Six)]) -> [f64; 2] {
+    let (count, sum) = cells
+        .iter()
+        .filter(|cell| cell.0 > 0.0)
+        .fold((0.0, Six::zeros()), |(count, sum), (_, mean)| (count + 1.0, sum + mean));
+    for (weight, mean) in cells.iter_mut() {
+        *mean = if *weight > 0.0 { *mean - sum / count } else { Six::zeros() };
+    }
+    [0, 1].map(|part| squares(cells.iter().map(|cell| &cell.1), part))
+}
+
+fn squares<'a>(signals: impl Iterator<Item = &'a Six>, part: usize) -> f64 {
+    signals.map(|signal| signal.fixed_rows::<3>(3 * part).norm_squared()).sum()
+}
+
+fn score<'a>(pairs: impl Iterator<Item = (&'a Six, &'a Six)>, size: &[f64; 2]) -> f64 {
+    let mut sums = [Matrix3::<f64>::zeros(); 2];
+    for (m, u) in pairs {
+        for (part, sum) in sums.iter_mut().enumerate() {
+            *sum += m.fixed_rows::<3>(3 * part) * u.fixed_rows::<3>(3 * part).transpose();
+        }
+    }
+    let of = |part: usize| if size[part] > 0.0 { sums[part].norm_squared() / size[part] } else { 0.0 };
+    of(0) + of(1)
+}

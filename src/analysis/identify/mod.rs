@@ -1,0 +1,206 @@
+//! Identification: the errors of real sensors, from a record of their increments and the true path of the same motion.
+//!
+//! ```text
+//!  path (truth -> signal)     record
+//!       |                        |
+//!   path::IdealPath          blocks     means over 0.2 s or more
+//!       |        \               |
+//!       |         clock          |      shift at which both have the same motion, in any axes
+//!       |         axes           |      which axis is which: 24 signed exchanges
+//!       |              \         |
+//!       +-------------- solve ---+      all parameters together, about the last solution, in rounds
+//!                      /     \
+//!                 noise       jump      does the clock of the record jump?
+//!                   |
+//!                whiten                 blocks -> independent numbers
+//! ```
+//!
+//! With u the true signal of a triad (rate or specific force) in the axes of the path, R the exchange of axes, φ the small rotation of the
+//! mounting, E scale factor errors and misalignments, b the bias, τ the shift of the clock at the middle time t0 of the record, and δ its
+//! drift, the record is
+//!
+//! ```text
+//! m(t) = (I + E + [φ×]) R u(t + τ + δ (t - t0)) + b + n(t)
+//! ```
+//!
+//! - **Signals.** u is the library's inverse navigation. Its integrals are interpolated by cubics, so the record may have another rate,
+//!   and the shift is not bound to a sample.
+//! - **Noise.** n is white noise N, flicker noise B (the processes with which this library makes it) and a random walk K, of each sensor.
+//!   A Kalman filter turns blocks into independent numbers. B/N and K/N are not fitted: the distribution of the parameters is the mean over
+//!   a grid of both, weighted by the restricted likelihood. So the intervals contain that a record tells little of its slow noise. The
+//!   estimator of `sins allan` is not used: the residual of a fit has less slow noise than the sensor, because the fit has taken a
+//!   part of it. n contains the noise of the path.
+//! - **Priors.** Each parameter has one ([`Prior`]). It is *seen* in the motion if the record narrows its prior to less than a half.
+//!   The rotation that the misalignments of both triads have in common is counted as one of the mounting: the axes of the block are those
+//!   from which the gyros and the accelerometers are turned by opposite angles.
+//! - **Rejected** are a record of another motion, of other units or with reversed forces, one whose clock jumps, and one whose axes or
+//!   shift the motion leaves open.
+//!
+//! All memory is that of the path and the record, and at most [`MOST_BLOCKS`](blocks) blocks and some; all loops end after a fixed
+//! number of rounds.
+
+mod axes;
+mod blocks;
+mod clock;
+mod jump;
+mod noise;
+mod parameter;
+mod path;
+mod prior;
+mod solve;
+mod whiten;
+
+pub use axes::Axes;
+pub use blocks::{FEWEST_INCREMENTS, RecordedIncrement};
+pub use noise::{NoiseEstimate, SensorNoise};
+pub use parameter::{Estimate, PARAMETERS, TriadEstimate};
+pub use path::IdealPath;
+pub use prior::Prior;
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::base::error::{Error, Rule, check_range};
+use crate::base::math::{rotation_matrix, rotation_quaternion};
+use parameter::{Place, to_block_axes};
+use solve::{About, Matrix, Rows, Solution, Vector};
+
+/// What is known before the record, and what is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Request {
+    /// Standard deviations of the parameters.
+    pub prior: Prior,
+    /// Exchange of axes, one of [`Axes::exchanges`], if it is known.
+    pub axes: Option<Matrix3<f64>>,
+    /// Path time less record time \[s\], within 10 s, if it is known.
+    pub offset_s: Option<f64>,
+}
+
+impl Request {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        self.prior.validate()?;
+        if let Some(offset_s) = self.offset_s {
+            check_range("request.offset_s", offset_s, -1e12, 1e12)?;
+        }
+        match &self.axes {
+            Some(axes) if !Axes::exchanges().any(|exchange| exchange == *axes) => {
+                let rule = Rule::Sentence("must be a signed exchange of axes without reflection");
+                Err(Error { field: "request.axes", rule, ..Error::bad_state("") })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Standard deviations of all parameters.
+    fn prior_sigmas(&self) -> Vector {
+        let Prior { gyro_bias, gyro_scale_factor, gyro_misalignment, .. } = self.prior;
+        let Prior { accel_bias, accel_scale_factor, accel_misalignment, mounting, .. } = self.prior;
+        let triads = [
+            (gyro_bias, gyro_scale_factor, gyro_misalignment),
+            (accel_bias, accel_scale_factor, accel_misalignment),
+        ];
+        let mut sigmas = Vector::zeros();
+        (sigmas[Place::CLOCK], sigmas[Place::DRIFT]) = (solve::CLOCK_S, solve::DRIFT);
+        for (part, (bias, scale_factor, misalignment)) in triads.into_iter().enumerate() {
+            for row in 0..3 {
+                sigmas[Place::mounting(row)] = mounting;
+                sigmas[Place::bias(part, row)] = bias;
+                for column in 0..3 {
+                    let element = if row == column { scale_factor } else { misalignment };
+                    sigmas[Place::element(part, row, column)] = element;
+                }
+            }
+        }
+        sigmas
+    }
+}
+
+/// What a record shows of its sensors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Identified {
+    /// Path time less record time at the middle of the record \[s\].
+    pub offset_s: Estimate,
+    /// Change of the shift \[s/s\].
+    pub drift: Estimate,
+    /// Middle of the record on its clock \[s\].
+    pub middle_s: f64,
+    /// The exchange of axes.
+    pub axes: Axes,
+    /// Small rotation φ beside the exchange, about the axes of the record \[rad\].
+    pub mounting: [Estimate; 3],
+    /// Signals of the record = `rotation` times those of the path, with the exchange and φ.
+    pub rotation: Matrix3<f64>,
+    /// Errors of the gyros, axes of the record.
+    pub gyro: TriadEstimate,
+    /// Errors of the accelerometers, axes of the record.
+    pub accel: TriadEstimate,
+    /// Noise of the three gyros, then of the three accelerometers.
+    pub noise: [SensorNoise; 6],
+    /// Number of blocks of the fit, and their length on average \[s\].
+    pub blocks: usize,
+    /// Length of a block on average \[s\].
+    pub block_s: f64,
+}
+
+impl Identified {
+    fn new(
+        request: &Request,
+        (x, covariance): &Solution,
+        noise: [SensorNoise; 6],
+        about: &About,
+        axes: Axes,
+        rows: &Rows,
+    ) -> Self {
+        let prior = request.prior_sigmas();
+        let change = to_block_axes();
+        let before = change * Matrix::from_diagonal(&prior.map(|sigma| sigma * sigma)) * change.transpose();
+        let estimate = |place: usize, from: f64| Estimate {
+            value: from + x[place],
+            sigma: covariance[(place, place)].max(0.0).sqrt(),
+            prior: before[(place, place)].sqrt(),
+        };
+        let triad = |part: usize| TriadEstimate {
+            bias: core::array::from_fn(|axis| estimate(Place::bias(part, axis), 0.0)),
+            elements: core::array::from_fn(|row| {
+                core::array::from_fn(|column| estimate(Place::element(part, row, column), 0.0))
+            }),
+        };
+        let blocks = rows.blocks.len();
+        let turn = Vector3::from_fn(|axis, _| x[Place::mounting(axis)]);
+        Self {
+            offset_s: estimate(Place::CLOCK, about.offset_s),
+            drift: estimate(Place::DRIFT, about.drift),
+            middle_s: about.middle_s,
+            axes,
+            mounting: core::array::from_fn(|axis| {
+                estimate(Place::mounting(axis), about.turned[axis] + about.common[axis])
+            }),
+            rotation: rotation_matrix(&rotation_quaternion(&turn)) * about.axes,
+            gyro: triad(0),
+            accel: triad(1),
+            noise,
+            blocks,
+            block_s: rows.blocks.iter().map(blocks::Block::length_s).sum::<f64>() / blocks as f64,
+        }
+    }
+
+    /// Biases \[rad/s\] and \[m/s²\] of gyros and accelerometers, of those that are seen; the others 0.
+    pub fn seen_biases(&self) -> [Vector3<f64>; 2] {
+        [&self.gyro, &self.accel].map(|triad| {
+            Vector3::from_fn(|axis, _| {
+                Some(triad.bias[axis]).filter(Estimate::is_seen).map_or(0.0, |bias| bias.value)
+            })
+        })
+    }
+}
+
+/// Finds the errors of the sensors that made `record` along `path`.
+///
+/// An hour takes about a second, at any rate.
+pub fn identify(
+    path: &IdealPath,
+    record: &[RecordedIncrement],
+    request: &Request,
+) -> Result<Identified, Error> {
+    solve::identify(path, record, request)
+}

@@ -1,0 +1,138 @@
+//! The true path as perfect sensors measure it: running integrals of angular rate and specific force.
+
+use nalgebra::SVector;
+
+use crate::analysis::recommend::{Refusal, fly_looking};
+use crate::base::error::{Error, Rule};
+use crate::base::memory::room_for_one_more;
+use crate::signal::Increment;
+use crate::simulator::{Options, Simulator};
+use crate::truth::FlightSample;
+use core::ops::ControlFlow;
+
+/// Signals of the three gyros, then of the three accelerometers.
+pub(super) type Six = SVector<f64, 6>;
+
+pub(super) fn six(increment: &Increment) -> Six {
+    let Increment { angle, velocity } = increment;
+    Six::from_column_slice(&[angle.x, angle.y, angle.z, velocity.x, velocity.y, velocity.z])
+}
+
+/// What perfect sensors measure along a path, body axes.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct IdealPath {
+    times_s: Vec<f64>,
+    /// Integrals from the first time on.
+    integrals: Vec<Six>,
+}
+
+impl IdealPath {
+    /// Flies `samples` with perfect sensors.
+    pub fn fly(
+        options: &Options,
+        samples: impl Iterator<Item = Result<FlightSample, Error>>,
+    ) -> Result<Self, Refusal> {
+        let mut simulator = Simulator::new(options)?;
+        let mut path = Self::default();
+        fly_looking(&mut simulator, samples, |_, simulator| {
+            if let Some(imu) = simulator.imu() {
+                path.push(imu.time_s, imu.interval_s, &imu.ideal)?;
+            }
+            Ok(ControlFlow::Continue(()))
+        })?;
+        Ok(path)
+    }
+
+    /// Adds the ideal increment of the interval of length `interval_s` [s] that ends at `time_s` [s]. The first interval begins the path;
+    /// each other follows the one before.
+    pub fn push(&mut self, time_s: f64, interval_s: f64, ideal: &Increment) -> Result<(), Error> {
+        let before = match (self.times_s.last(), self.integrals.last()) {
+            (Some(&last_s), Some(sum)) if time_s > last_s => *sum,
+            (Some(_), _) => {
+                return Err(Error::invalid(
+                    "path.time_s",
+                    time_s,
+                    Rule::Sentence("must be later than before"),
+                ));
+            }
+            (None, _) => {
+                room_for_one_more(&mut self.times_s)?;
+                room_for_one_more(&mut self.integrals)?;
+                self.times_s.push(time_s - interval_s);
+                self.integrals.push(Six::zeros());
+                Six::zeros()
+            }
+        };
+        room_for_one_more(&mut self.times_s)?;
+        room_for_one_more(&mut self.integrals)?;
+        self.times_s.push(time_s);
+        self.integrals.push(before + six(ideal));
+        Ok(())
+    }
+
+    /// First and last time [s]; the path has two intervals or more.
+    pub(super) fn ends_s(&self) -> Result<(f64, f64), Error> {
+        match (self.times_s.first(), self.times_s.last()) {
+            (Some(&first), Some(&last)) if self.times_s.len() > 4 => Ok((first, last)),
+            _ => Err(Error::bad_state("the path must have at least four intervals")),
+        }
+    }
+
+    /// Integral and signal at `time_s`, by the cubic through the four nearest points; `None` outside the path.
+    pub(super) fn at(&self, time_s: f64) -> Option<(Six, Six)> {
+        let next = self.times_s.partition_point(|&time| time < time_s);
+        let count = self.times_s.len();
+        if next == count || (next == 0 && self.times_s[0] > time_s) || count < 4 {
+            return None;
+        }
+        let first = next.saturating_sub(2).min(count - 4);
+        let x: [f64; 4] = core::array::from_fn(|i| self.times_s[first + i] - time_s);
+        let base = self.integrals[first];
+        let (mut integral, mut rate) = (base, Six::zeros());
+        for i in 1..4 {
+            // Lagrange's weight of a point, and its derivative by time.
+            let others = |skip: usize| (0..4).filter(move |j| *j != i && *j != skip);
+            let below: f64 = others(4).map(|j| x[i] - x[j]).product();
+            let weight: f64 = others(4).map(|j| -x[j]).product::<f64>() / below;
+            let slope: f64 =
+                others(4).map(|k| others(k).map(|j| -x[j]).product::<f64>()).sum::<f64>() / below;
+            let value = self.integrals[first + i] - base;
+            integral += value * weight;
+            rate += value * slope;
+        }
+        Some((integral, rate))
+    }
+
+    /// Mean signal from `start_s` to `end_s` [s], and its derivative by a shift of both; `None` outside the path.
+    pub(super) fn mean(&self, start_s: f64, end_s: f64) -> Option<(Six, Six)> {
+        let ((from, rate_from), (to, rate_to)) = (self.at(start_s)?, self.at(end_s)?);
+        let length_s = end_s - start_s;
+        Some(((to - from) / length_s, (rate_to - rate_from) / length_s))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    /// A signal that is a parabola has a cubic integral, which is interpolated exactly between uneven points.
+    #[test]
+    fn a_parabola_is_exact_between_the_points() {
+        let integral = |t: f64| 0.3 * t * t * t - t * t + 2.0 * t;
+        let mut path = IdealPath::default();
+        let mut last = 0.0;
+        for k in 1..40 {
+            let time = f64::from(k) * 0.1 + 0.02 * f64::from(k % 3);
+            let angle = Vector3::new(integral(time) - integral(last), 0.0, 0.0);
+            path.push(time, time - last, &Increment { angle, ..Increment::ZERO }).unwrap();
+            last = time;
+        }
+        let (mean, change) = path.mean(0.913, 1.777).unwrap();
+        let signal = |t: f64| 0.9 * t * t - 2.0 * t + 2.0;
+        assert!((mean[0] - (integral(1.777) - integral(0.913)) / 0.864).abs() < 1e-13);
+        assert!((change[0] - (signal(1.777) - signal(0.913)) / 0.864).abs() < 1e-12);
+        assert!(path.mean(-0.1, 1.0).is_none() && path.mean(3.0, 4.2).is_none());
+        assert!(path.push(1.0, 0.1, &Increment::ZERO).is_err());
+    }
+}

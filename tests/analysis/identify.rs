@@ -1,0 +1,303 @@
+//! Identification: parameters of sensors whose errors are known, over flights, grades, noises, clocks and axes.
+//!
+//! The ordinary test flies 48 records; `--features long-tests` flies 200.
+
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use sins::analysis::identify::{
+    Axes, Estimate, IdealPath, Identified, Prior, RecordedIncrement, Request, TriadEstimate, identify,
+};
+use sins::math::{euler_from_attitude, rotation_matrix, rotation_quaternion, rotation_vector};
+use sins::scene::builtin;
+use sins::sensors::{Grade, StreamKey, TriadParameters};
+use sins::signal::mounting::MountingParameters;
+use sins::truth::flight::Flight;
+use sins::{Options, Simulator, Step};
+
+use super::support::draws::Draws;
+use super::support::{DEG, G};
+
+/// Samples a second of path and record.
+const RATE_HZ: f64 = 25.0;
+/// Five minutes [s].
+const MINUTES: (f64, f64) = (0.0, 300.0);
+const TRIALS: u64 = if cfg!(feature = "long-tests") { 200 } else { 48 };
+
+fn flight(name: &str) -> Flight {
+    builtin(name).unwrap().flight().unwrap()
+}
+
+fn path(flight: &Flight, span_s: (f64, f64)) -> IdealPath {
+    let samples = times(span_s).map(|time_s| flight.sample_at(time_s));
+    IdealPath::fly(&Options::default(), samples).unwrap()
+}
+
+/// Times of the samples of a part of a flight [s].
+fn times((from_s, to_s): (f64, f64)) -> impl Iterator<Item = f64> {
+    (0..=((to_s - from_s) * RATE_HZ) as usize).map(move |k| from_s + k as f64 / RATE_HZ)
+}
+
+/// Sensors in a block whose axes are turned against those of the vehicle, on a clock that is behind.
+struct Unit {
+    gyro: TriadParameters,
+    accel: TriadParameters,
+    /// Signals of the block = `rotation` times those of the vehicle.
+    rotation: Matrix3<f64>,
+    behind_s: f64,
+    run: u64,
+}
+
+impl Default for Unit {
+    fn default() -> Self {
+        let white = |size: f64| TriadParameters { random_walk: Vector3::repeat(size), ..Default::default() };
+        Self {
+            gyro: white(0.1 * DEG / 60.0),
+            accel: white(100e-6 * G),
+            rotation: Matrix3::identity(),
+            behind_s: 0.0,
+            run: 0,
+        }
+    }
+}
+
+impl Unit {
+    fn record(&self, flight: &Flight, span_s: (f64, f64)) -> Vec<RecordedIncrement> {
+        let key = StreamKey { seed: 61, run: self.run };
+        let mut simulator = Simulator::new(&Options { key, ..Options::default() }).unwrap();
+        simulator.set_gyro(&self.gyro).unwrap();
+        simulator.set_accel(&self.accel).unwrap();
+        let from_block = Rotation3::from_matrix_unchecked(self.rotation.transpose());
+        let boresight = euler_from_attitude(UnitQuaternion::from_rotation_matrix(&from_block).quaternion());
+        simulator.set_mounting(&MountingParameters { boresight, ..Default::default() }).unwrap();
+        let mut record = Vec::new();
+        for time_s in times(span_s) {
+            simulator.push_sample(&flight.sample_at(time_s).unwrap()).unwrap();
+            if simulator.step().unwrap() == Step::Done {
+                let imu = simulator.imu().unwrap();
+                let time_s = imu.time_s - self.behind_s;
+                record.push(RecordedIncrement {
+                    time_s,
+                    interval_s: imu.interval_s,
+                    increment: imu.measured,
+                });
+            }
+        }
+        record
+    }
+}
+
+/// Normal numbers.
+fn normal(draws: &mut Draws) -> f64 {
+    (-2.0 * draws.unit().max(1e-300).ln()).sqrt() * (std::f64::consts::TAU * draws.unit()).cos()
+}
+
+/// A triad whose errors are drawn from the prior, with white noise, and in two of three cases flicker noise and a random walk that equal
+/// it at some time.
+fn drawn(draws: &mut Draws, bias: f64, scale_factor: f64, misalignment: f64, white: f64) -> TriadParameters {
+    let mut slow = |size: f64| if draws.below(3) > 0 { size } else { 0.0 };
+    let (flicker, walk) = (slow(1.0), slow(1.0));
+    let time = |draws: &mut Draws, most: f64| (most.ln() * draws.unit()).exp();
+    let flicker = flicker * white / (0.4413 * time(draws, 400.0)).sqrt();
+    let walk = walk * white * 3f64.sqrt() / (2.0 * time(draws, 700.0));
+    TriadParameters {
+        bias: Vector3::from_fn(|_, _| bias * normal(draws)),
+        scale_factor: Vector3::from_fn(|_, _| scale_factor * normal(draws)),
+        misalignment: Matrix3::from_fn(|i, j| if i == j { 0.0 } else { misalignment * normal(draws) }),
+        random_walk: Vector3::repeat(white),
+        flicker: Vector3::repeat(flicker),
+        rate_random_walk: Vector3::repeat(walk),
+        ..Default::default()
+    }
+}
+
+/// Sign of an element of \[φ×\].
+fn sign(row: usize, column: usize) -> f64 {
+    if (row + 1) % 3 == column { -1.0 } else { 1.0 }
+}
+
+/// Errors with scale factors on the diagonal, and the rotation φ, in the axes of the block: the misalignments of both triads have no
+/// rotation in common.
+fn in_block_axes(unit: &Unit, phi: Vector3<f64>) -> ([Matrix3<f64>; 2], Vector3<f64>) {
+    let errors = [&unit.gyro, &unit.accel]
+        .map(|triad| triad.misalignment + Matrix3::from_diagonal(&triad.scale_factor));
+    let mut common = Vector3::zeros();
+    for third in 0..3 {
+        for (i, j) in [((third + 1) % 3, (third + 2) % 3), ((third + 2) % 3, (third + 1) % 3)] {
+            common[third] += errors.iter().map(|error| 0.25 * error[(i, j)] * sign(i, j)).sum::<f64>();
+        }
+    }
+    let back = rotation_matrix(&rotation_quaternion(&-common));
+    let errors = errors.map(|error| (Matrix3::identity() + error) * back - Matrix3::identity());
+    (errors, rotation_vector(&(rotation_quaternion(&common) * rotation_quaternion(&phi))))
+}
+
+/// How many intervals hold of a kind of parameter.
+#[derive(Default)]
+struct Coverage {
+    held: f64,
+    of: f64,
+}
+
+impl Coverage {
+    fn add(&mut self, estimate: &Estimate, truth: f64) {
+        let (low, high) = estimate.interval();
+        self.of += 1.0;
+        self.held += f64::from(u8::from((low..=high).contains(&truth)));
+    }
+}
+
+#[test]
+fn intervals_hold_clocks_are_found_and_axes_are_told() {
+    let flights = [
+        ("aerobatics", (0.0, 300.0)),
+        ("commuter", (0.0, 600.0)),
+        ("patrol", (700.0, 1300.0)),
+        ("racetrack", (0.0, 600.0)),
+    ];
+    let flown = flights.map(|(name, span_s)| (flight(name), span_s));
+    let paths: Vec<IdealPath> = flown.iter().map(|(flight, span_s)| path(flight, *span_s)).collect();
+    let exchanges: Vec<Matrix3<f64>> = Axes::exchanges().collect();
+    let kinds = ["clock", "mounting", "bias", "scale factor", "misalignment"];
+    let mut found: [Coverage; 5] = Default::default();
+    let mut draws = Draws::new(61);
+    for trial in 0..TRIALS {
+        let (grade, gyro_white, accel_white) =
+            [(Grade::Tactical, 0.05, 60.0), (Grade::Industrial, 0.15, 100.0), (Grade::Consumer, 0.3, 300.0)]
+                [trial as usize % 3];
+        let prior = Prior::of(grade);
+        let Prior { gyro_bias, gyro_scale_factor, gyro_misalignment, .. } = prior;
+        let Prior { accel_bias, accel_scale_factor, accel_misalignment, .. } = prior;
+        let white = (gyro_white * DEG / 60.0, accel_white * 1e-6 * G);
+        let exchange = draws.of(&exchanges);
+        let phi = Vector3::from_fn(|_, _| 0.5 * DEG * normal(&mut draws));
+        let unit = Unit {
+            gyro: drawn(&mut draws, gyro_bias, gyro_scale_factor, gyro_misalignment, white.0),
+            accel: drawn(&mut draws, accel_bias, accel_scale_factor, accel_misalignment, white.1),
+            rotation: rotation_matrix(&rotation_quaternion(&phi)) * exchange,
+            behind_s: draws.within(-0.08, 0.08),
+            run: trial,
+        };
+        let which = (trial / 3) as usize % flown.len();
+        let record = unit.record(&flown[which].0, flown[which].1);
+        let one = identify(&paths[which], &record, &Request { prior, ..Default::default() })
+            .unwrap_or_else(|error| panic!("{trial}: {error}"));
+        assert!(one.axes.is_seen && one.axes.exchange == exchange, "{trial}: {:?}", one.axes);
+        let off_s = one.offset_s.value - unit.behind_s;
+        // Slow manoeuvres show a clock less well to a consumer's gyros.
+        let limit_s = if flights[which].0 == "patrol" { (4.0 * one.offset_s.sigma).max(1e-3) } else { 1e-3 };
+        assert!(off_s.abs() < limit_s, "{trial} {}: {off_s} s, {:?}", flights[which].0, one.offset_s);
+        found[0].add(&one.offset_s, unit.behind_s);
+        let (errors, phi) = in_block_axes(&unit, phi);
+        (0..3).for_each(|axis| found[1].add(&one.mounting[axis], phi[axis]));
+        for (part, (triad, biases)) in
+            [(&one.gyro, unit.gyro.bias), (&one.accel, unit.accel.bias)].into_iter().enumerate()
+        {
+            for row in 0..3 {
+                found[2].add(&triad.bias[row], biases[row]);
+                for column in 0..3 {
+                    let kind = if row == column { 3 } else { 4 };
+                    found[kind].add(&triad.elements[row][column], errors[part][(row, column)]);
+                }
+            }
+        }
+    }
+    let all = found.iter().fold((0.0, 0.0), |sum, kind| (sum.0 + kind.held, sum.1 + kind.of));
+    for (name, kind) in kinds.iter().zip(&found) {
+        println!("{name}: {:.1} % of {} intervals hold", 100.0 * kind.held / kind.of, kind.of);
+    }
+    println!("all: {:.1} %", 100.0 * all.0 / all.1);
+    // Parameters of a record depend on each other: the limits are those of the records, three standard deviations.
+    let chance = 3.0 * (0.05 * 0.95 / TRIALS as f64).sqrt();
+    for (name, kind) in kinds.iter().zip(&found) {
+        assert!((kind.held / kind.of - 0.95).abs() < 0.02 + chance, "{name}");
+    }
+    assert!((all.0 / all.1 - 0.95).abs() < 0.02, "{}", all.0 / all.1);
+}
+
+/// What makes a record unfit is named, with its size.
+#[test]
+fn a_record_that_does_not_fit_is_named() {
+    let aerobatics = flight("aerobatics");
+    let path = path(&aerobatics, MINUTES);
+    let record = Unit::default().record(&aerobatics, MINUTES);
+    let refused = |record: &[RecordedIncrement]| {
+        identify(&path, record, &Request::default())
+            .err()
+            .map_or("accepted".to_owned(), |error| error.to_string())
+    };
+    assert_eq!(refused(&record), "accepted");
+    let changed = |change: &dyn Fn(usize, &mut RecordedIncrement)| {
+        let mut record = record.clone();
+        record.iter_mut().enumerate().for_each(|(row, one)| change(row, one));
+        record
+    };
+    let degrees = changed(&|_, one| one.increment.angle /= DEG);
+    assert!(refused(&degrees).starts_with("record.angle = 57.2"), "{}", refused(&degrees));
+    let in_g = changed(&|_, one| one.increment.velocity /= G);
+    assert!(refused(&in_g).starts_with("record.velocity = 0.10"), "{}", refused(&in_g));
+    let reversed = changed(&|_, one| one.increment.velocity *= -1.0);
+    assert!(refused(&reversed).contains("opposite sign"), "{}", refused(&reversed));
+    for jump_s in [0.1, 0.6, -1.5] {
+        let late = |row: usize, one: &mut RecordedIncrement| {
+            if row > record.len() / 2 {
+                one.time_s += jump_s;
+            }
+        };
+        // A clock that goes back leaves rows out, so that the stamps ascend.
+        let mut jumps = changed(&late);
+        let middle_s = record[record.len() / 2].time_s;
+        let mut row = 0;
+        jumps.retain(|one| {
+            row += 1;
+            row > record.len() / 2 + 1 || one.time_s <= middle_s + jump_s.min(0.0)
+        });
+        let answer = refused(&jumps);
+        let size: f64 =
+            answer.split(['=', ':']).nth(1).and_then(|size| size.trim().parse().ok()).unwrap_or(f64::NAN);
+        assert!(answer.contains("jump of the clock") && size * jump_s > 0.0, "{jump_s}: {answer}");
+        if jump_s == 0.1 {
+            assert!((size - jump_s).abs() < 0.02, "{jump_s}: {answer}");
+        }
+    }
+    let other = Unit::default().record(&flight("commuter"), MINUTES);
+    assert!(refused(&other).contains("of another motion"), "{}", refused(&other));
+    let rest = Unit::default().record(&flight("rest"), MINUTES);
+    assert!(refused(&rest).contains("of another motion"), "{}", refused(&rest));
+}
+
+/// At rest only biases are seen: no scale factor, misalignment or shift is reported as if it were known.
+#[test]
+fn what_a_motion_does_not_show_is_not_seen() {
+    let rest = flight("rest");
+    let path = path(&rest, MINUTES);
+    let one: Identified =
+        identify(&path, &Unit::default().record(&rest, MINUTES), &Request::default()).unwrap();
+    let seen =
+        |triad: &TriadEstimate| triad.elements.iter().flatten().filter(|element| element.is_seen()).count();
+    assert_eq!((seen(&one.gyro), one.offset_s.is_seen(), one.axes.is_seen), (0, false, false));
+    assert!(one.gyro.bias.iter().all(Estimate::is_seen));
+    // A record on its side, whose heading nothing shows, is a question.
+    let side =
+        Rotation3::from_euler_angles(std::f64::consts::FRAC_PI_2, 0.0, 0.0).into_inner().map(f64::round);
+    let record = Unit { rotation: side, ..Default::default() }.record(&rest, MINUTES);
+    let error = identify(&path, &record, &Request::default()).unwrap_err().to_string();
+    assert!(error.contains("state them"), "{error}");
+    let one = identify(&path, &record, &Request { axes: Some(side), ..Default::default() }).unwrap();
+    assert_eq!(one.axes.exchange, side);
+}
+
+/// A record on a clock of its own, hours away, and of another rate, is found; without noise the parameters are exact.
+#[test]
+fn a_clock_of_its_own_is_found() {
+    let aerobatics = flight("aerobatics");
+    let path = path(&aerobatics, MINUTES);
+    let gyro = TriadParameters { bias: Vector3::new(1e-4, -2e-4, 3e-4), ..Unit::default().gyro };
+    let unit = Unit { gyro, behind_s: 7e5 + 0.0317, ..Default::default() };
+    let record: Vec<_> = unit.record(&aerobatics, MINUTES);
+    let part = &record[2000..6500];
+    let one = identify(&path, part, &Request::default()).unwrap();
+    assert!((one.offset_s.value - unit.behind_s).abs() < 1e-3, "{:?}", one.offset_s);
+    for axis in 0..3 {
+        let bias = one.gyro.bias[axis];
+        assert!((bias.value - gyro.bias[axis]).abs() < 4.0 * bias.sigma, "{bias:?}");
+    }
+}
