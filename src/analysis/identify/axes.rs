@@ -145,6 +145,20 @@ pub(super) fn find(
             "the rates of the record are those of the path times this: another unit?",
         )?;
     }
+    let is_moving = gyro.possible() > 0.5 || accel.possible() > 0.5;
+    let quality = |sums: &Sums, axes: &Matrix3<f64>| sums.correlation(axes) / sums.possible().max(0.5);
+    let forced = given.copied().unwrap_or_else(|| best_of(&accel, 1.0));
+    // Rates decide where they show the motion: forces of two flights may resemble each other.
+    let quality = if gyro.possible() > 0.5 { quality(&gyro, &turned) } else { quality(&accel, &forced) };
+    let is_same = quality > OF_POSSIBLE;
+    let is_at_rest = gyro.recorded < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
+    if (is_moving && !is_same) || (!is_moving && !is_at_rest) {
+        let rule = Rule::Sentence(
+            "correlation of its rates with those of the path at the best shift of the clock: the record is of another motion",
+        );
+        return Err(Error::invalid("record.motion", correlation, rule));
+    }
+    // Forces of another motion have other sizes, so their unit comes last.
     let (recorded, ideal) = (accel.means.0.norm(), accel.means.1.norm());
     let forces = (accel.recorded / accel.count).sqrt().max(recorded);
     let size = forces / (accel.ideal / accel.count).sqrt().max(ideal);
@@ -153,17 +167,6 @@ pub(super) fn find(
         size,
         "the forces of the record are those of the path times this: another unit?",
     )?;
-    let is_moving = gyro.possible() > 0.5 || accel.possible() > 0.5;
-    let quality = |sums: &Sums, axes: &Matrix3<f64>| sums.correlation(axes) / sums.possible().max(0.5);
-    let forced = given.copied().unwrap_or_else(|| best_of(&accel, 1.0));
-    let is_same = quality(&gyro, &turned) > OF_POSSIBLE || quality(&accel, &forced) > OF_POSSIBLE;
-    let is_at_rest = gyro.recorded < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
-    if (is_moving && !is_same) || (!is_moving && !is_at_rest) {
-        let rule = Rule::Sentence(
-            "correlation of its rates with those of the path at the best shift of the clock: the record is of another motion",
-        );
-        return Err(Error::invalid("record.motion", correlation, rule));
-    }
 
     // Chi-square of an exchange: the rest over its least value, and the means by the biases that sensors may have.
     let of = |sums: &Sums, axes: &Matrix3<f64>| {

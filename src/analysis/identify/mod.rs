@@ -172,9 +172,7 @@ impl Identified {
             drift: estimate(Place::DRIFT, about.drift),
             middle_s: about.middle_s,
             axes,
-            mounting: core::array::from_fn(|axis| {
-                estimate(Place::mounting(axis), about.turned[axis] + about.common[axis])
-            }),
+            mounting: core::array::from_fn(|axis| estimate(Place::mounting(axis), about.mounting[axis])),
             rotation: rotation_matrix(&rotation_quaternion(&turn)) * about.axes,
             gyro: triad(0),
             accel: triad(1),

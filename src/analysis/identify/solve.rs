@@ -11,7 +11,7 @@ use super::path::{IdealPath, Six};
 use super::whiten::{Columns, Steps};
 use super::{Identified, Request, jump};
 use crate::base::error::{Error, Rule};
-use crate::base::math::{rotation_matrix, rotation_quaternion};
+use crate::base::math::{rotation_matrix, rotation_quaternion, rotation_vector};
 use crate::base::memory::room;
 
 /// Rounds of the fit, each about the last solution.
@@ -40,6 +40,8 @@ pub(super) struct About {
     /// Angles of the mounting that `axes` has beside the exchange [rad], and those that the misalignments of both triads have in common.
     pub turned: Vector3<f64>,
     pub common: Vector3<f64>,
+    /// The rotation of both [rad].
+    pub mounting: Vector3<f64>,
 }
 
 impl About {
@@ -151,6 +153,7 @@ pub(super) fn identify(
         middle_s,
         turned: Vector3::zeros(),
         common: Vector3::zeros(),
+        mounting: Vector3::zeros(),
     };
     fit(path, &blocks, request, start, matched.axes, interval_s)
 }
@@ -188,7 +191,9 @@ fn fit(
         }
         // No further than the linear range of the fit in one round.
         let part = 0.5 / (turn + common).norm().max(0.5);
-        about.axes = rotation_matrix(&rotation_quaternion(&((turn + common) * part))) * about.axes;
+        let step = rotation_quaternion(&((turn + common) * part));
+        about.axes = rotation_matrix(&step) * about.axes;
+        about.mounting = rotation_vector(&(step * rotation_quaternion(&about.mounting)));
         about.turned += turn * part;
         about.common += common * part;
         about.offset_s += x[Place::CLOCK].clamp(-2.0, 2.0);
