@@ -11,7 +11,7 @@ use crate::base::memory::room;
 use crate::base::units::STANDARD_GRAVITY;
 
 /// A correlation of the rates that only the same motion has.
-const SAME: f64 = 0.9;
+pub(super) const SAME: f64 = 0.9;
 /// The least part of the correlation that the noise of the record leaves.
 const OF_POSSIBLE: f64 = 0.7;
 /// Sizes of the signals of the record over those of the path that are possible.
@@ -152,13 +152,16 @@ pub(super) fn find(
     let quality = if gyro.possible() > 0.5 { quality(&gyro, &turned) } else { quality(&accel, &forced) };
     let is_same = quality > OF_POSSIBLE;
     let is_at_rest = gyro.recorded < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
-    if (is_moving && !is_same) || (!is_moving && !is_at_rest) {
+    let other_motion = || {
         let rule = Rule::Sentence(
             "correlation of its rates with those of the path at the best shift of the clock: the record is of another motion",
         );
-        return Err(Error::invalid("record.motion", correlation, rule));
+        Error::invalid("record.motion", correlation, rule)
+    };
+    if (is_moving && !is_same) || (!is_moving && !is_at_rest) {
+        return Err(other_motion());
     }
-    // Forces of another motion have other sizes, so their unit comes last.
+    // Forces of another motion have other sizes: a unit is blamed only if the rates are certain.
     let (recorded, ideal) = (accel.means.0.norm(), accel.means.1.norm());
     let forces = (accel.recorded / accel.count).sqrt().max(recorded);
     let size = forces / (accel.ideal / accel.count).sqrt().max(ideal);
@@ -166,7 +169,8 @@ pub(super) fn find(
         "record.velocity",
         size,
         "the forces of the record are those of the path times this: another unit?",
-    )?;
+    )
+    .map_err(|error| if is_moving && correlation <= SAME { other_motion() } else { error })?;
 
     // Chi-square of an exchange: the rest over its least value, and the means by the biases that sensors may have.
     let of = |sums: &Sums, axes: &Matrix3<f64>| {

@@ -1,5 +1,7 @@
 //! How the clock of the record is shifted against that of the path, from the motion that both have.
 
+use core::ops::Range;
+
 use nalgebra::Matrix3;
 
 use super::blocks::Block;
@@ -17,6 +19,11 @@ const PEAK: f64 = 0.5;
 /// Part of a cell between the shifts that are tried in the second round.
 const FINE: f64 = 0.125;
 
+/// A shift that is given is known to this [s].
+pub(super) const KNOWN_S: f64 = 10.0;
+/// Parts of the record, whose shifts may differ if its clock jumps.
+pub(super) const PARTS: usize = 8;
+
 /// A shift of the clock and how well it fits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Shift {
@@ -32,76 +39,156 @@ pub(super) struct Found {
     pub other: Option<Shift>,
 }
 
-/// Searches the shift at which the signals of the record and of the path belong together. The score of a shift is
+/// Σ m(t) u(t + shift)ᵀ of the gyros and of the accelerometers.
+pub(super) type Cross = [Matrix3<f64>; 2];
+
+/// The search of the shift at which the signals of the record and of the path belong together. The score of a shift is
 /// ```text
 /// Σ |C|² / (Σ|m|² Σ|u|²),   C = Σ m(t) u(t + shift)ᵀ
 /// ```
 /// over the gyros and over the accelerometers, with m of the record and u of the path, each less its mean. The Frobenius norm |C| does not
 /// depend on the axes of the record, and the means not on its biases.
-pub(super) fn search(path: &IdealPath, blocks: &[Block]) -> Result<Found, Error> {
-    let (begin_s, end_s) = path.ends_s()?;
-    let (first_s, last_s) = (blocks[0].start_s, blocks[blocks.len() - 1].end_s);
-    let longest = blocks.iter().map(Block::length_s).fold(0.0, f64::max);
-    let cell_s = ((end_s - begin_s).max(last_s - first_s) / MOST_CELLS).max(SHORTEST_S).max(longest);
-    let count = |span_s: f64| ((span_s / cell_s) as usize).max(1);
-    let mut recorded = filled(count(last_s - first_s), (0.0, Six::zeros()))?;
-    for block in blocks {
-        let cell = ((block.middle_s() - first_s) / cell_s) as usize;
-        if let Some((weight, sum)) = recorded.get_mut(cell) {
-            *weight += block.length_s();
-            *sum += block.mean * block.length_s();
+pub(super) struct Search {
+    /// Weight and mean of the cells of the record and of the path; weight 0: a cell without a signal.
+    pub recorded: Box<[(f64, Six)]>,
+    pub ideal: Box<[(f64, Six)]>,
+    pub size: [f64; 2],
+    /// First times [s] of the record and of the path, and length of a cell [s].
+    pub first_s: f64,
+    begin_s: f64,
+    pub cell_s: f64,
+    /// Sums of each part of the record at shift k - (cells of the record - 1), in cells.
+    of_lag: Vec<[Cross; PARTS]>,
+}
+
+impl Search {
+    pub fn new(path: &IdealPath, blocks: &[Block]) -> Result<Self, Error> {
+        let (begin_s, end_s) = path.ends_s()?;
+        let (first_s, last_s) = (blocks[0].start_s, blocks[blocks.len() - 1].end_s);
+        let longest = blocks.iter().map(Block::length_s).fold(0.0, f64::max);
+        let cell_s = ((end_s - begin_s).max(last_s - first_s) / MOST_CELLS).max(SHORTEST_S).max(longest);
+        let count = |span_s: f64| ((span_s / cell_s) as usize).max(1);
+        let mut recorded = filled(count(last_s - first_s), (0.0, Six::zeros()))?;
+        for block in blocks {
+            let cell = ((block.middle_s() - first_s) / cell_s) as usize;
+            if let Some((weight, sum)) = recorded.get_mut(cell) {
+                *weight += block.length_s();
+                *sum += block.mean * block.length_s();
+            }
+        }
+        recorded.iter_mut().filter(|cell| cell.0 > 0.0).for_each(|(weight, sum)| *sum /= *weight);
+        let mut ideal = filled(count(end_s - begin_s), (0.0, Six::zeros()))?;
+        for (k, cell) in ideal.iter_mut().enumerate() {
+            let start_s = begin_s + k as f64 * cell_s;
+            if let Some((mean, _)) = path.mean(start_s, start_s + cell_s) {
+                *cell = (1.0, mean);
+            }
+        }
+        let (sizes, of_path) = (center(&mut recorded), center(&mut ideal));
+        let size = [0, 1].map(|part| sizes[part] * of_path[part]);
+        let shifts = recorded.len() + ideal.len() - 1;
+        let of_lag = room(shifts)?;
+        let mut search = Self { recorded, ideal, size, first_s, begin_s, cell_s, of_lag };
+        for lag in 0..shifts {
+            let of_parts = core::array::from_fn(|part| search.crossed(lag, part));
+            search.of_lag.push(of_parts);
+        }
+        Ok(search)
+    }
+
+    fn crossed(&self, lag: usize, part: usize) -> Cross {
+        let mut sums = [Matrix3::zeros(); 2];
+        for cell in self.first_cell(part)..self.first_cell(part + 1) {
+            if let Some(place) = self.place(cell, lag) {
+                add(&mut sums, &self.recorded[cell].1, &self.ideal[place].1);
+            }
+        }
+        sums
+    }
+
+    pub fn first_cell(&self, part: usize) -> usize {
+        part * self.recorded.len() / PARTS
+    }
+
+    /// Cell of the path that a cell of the record meets.
+    pub fn place(&self, cell: usize, lag: usize) -> Option<usize> {
+        (cell + lag).checked_sub(self.recorded.len() - 1).filter(|place| *place < self.ideal.len())
+    }
+
+    pub fn offset_s(&self, lag: usize) -> f64 {
+        self.begin_s - self.first_s + (lag as f64 - (self.recorded.len() as f64 - 1.0)) * self.cell_s
+    }
+
+    pub fn sum(&self, lag: usize, parts: Range<usize>) -> Cross {
+        let parts = &self.of_lag[lag][parts];
+        parts.iter().fold(Default::default(), |sum: Cross, of| [sum[0] + of[0], sum[1] + of[1]])
+    }
+
+    fn score(&self, lag: usize, parts: Range<usize>) -> f64 {
+        score(&self.sum(lag, parts), &self.size)
+    }
+
+    /// The best shift of some parts.
+    pub fn best(&self, parts: &Range<usize>) -> usize {
+        let order =
+            |a: &usize, b: &usize| self.score(*a, parts.clone()).total_cmp(&self.score(*b, parts.clone()));
+        (0..self.of_lag.len()).max_by(order).unwrap_or(0)
+    }
+
+    /// The best shift; with `known_s`, the nearest to it of those within [`KNOWN_S`] that fit as well.
+    pub fn shift(&self, path: &IdealPath, blocks: &[Block], known_s: Option<f64>) -> Result<Found, Error> {
+        let shifts = self.of_lag.len();
+        let mut scores = room(shifts)?;
+        scores.extend((0..shifts).map(|lag| self.score(lag, 0..PARTS)));
+        let shift = |lag: usize| Shift { offset_s: self.offset_s(lag), score: scores[lag] };
+        // Repeated manoeuvres: of several peaks that fit as well the one at no shift, if there is one.
+        let (about_s, within_s) = known_s.map_or((0.0, 2.0 * self.cell_s), |known_s| (known_s, KNOWN_S));
+        let off_s = |lag: usize| (self.offset_s(lag) - about_s).abs();
+        let order = |a: &usize, b: &usize| scores[*a].total_cmp(&scores[*b]);
+        let is_near = |lag: &usize| off_s(*lag) <= within_s;
+        let top = match known_s {
+            Some(_) => (0..shifts).filter(is_near).max_by(order),
+            None => (0..shifts).max_by(order),
+        };
+        let Some(top) = top else {
+            return Ok(Found { best: Shift { offset_s: about_s, score: 0.0 }, other: None });
+        };
+        let near = (0..shifts)
+            .filter(is_near)
+            .filter(|&lag| scores[lag] >= AS_WELL * scores[top])
+            .min_by(|&a, &b| off_s(a).total_cmp(&off_s(b)));
+        let best = self.summit(&scores, near.unwrap_or(top));
+        let ends = |step: isize| {
+            let mut end = best as isize;
+            while (0..shifts as isize).contains(&end) && scores[end as usize] > PEAK * scores[best] {
+                end += step;
+            }
+            end
+        };
+        let (low, high) = (ends(-1), ends(1));
+        let other = (0..shifts)
+            .filter(|&k| (k as isize) < low || (k as isize) > high)
+            .filter(|&k| scores[k] >= AS_WELL * scores[best] && near.is_none())
+            .max_by(|&a, &b| scores[a].total_cmp(&scores[b]));
+        let other = other.map(shift);
+        let best = refine(path, blocks, shift(best), self.cell_s)?;
+        Ok(Found { best, other })
+    }
+
+    /// The top of the peak on whose side `lag` is.
+    fn summit(&self, scores: &[f64], mut lag: usize) -> usize {
+        loop {
+            let beside = [lag.wrapping_sub(1), lag + 1].into_iter().filter(|lag| *lag < scores.len());
+            match beside.max_by(|a, b| scores[*a].total_cmp(&scores[*b])) {
+                Some(higher) if scores[higher] > scores[lag] => lag = higher,
+                _ => return lag,
+            }
         }
     }
-    recorded.iter_mut().filter(|cell| cell.0 > 0.0).for_each(|(weight, sum)| *sum /= *weight);
-    let mut ideal = filled(count(end_s - begin_s), (0.0, Six::zeros()))?;
-    for (k, cell) in ideal.iter_mut().enumerate() {
-        let start_s = begin_s + k as f64 * cell_s;
-        if let Some((mean, _)) = path.mean(start_s, start_s + cell_s) {
-            *cell = (1.0, mean);
-        }
-    }
-    let (sizes, of_path) = (center(&mut recorded), center(&mut ideal));
-    let size = [0, 1].map(|part| sizes[part] * of_path[part]);
-    // Shift k - (cells of the record - 1), in cells.
-    let shifts = recorded.len() + ideal.len() - 1;
-    let mut scores = room(shifts)?;
-    for k in 0..shifts {
-        let lag = k as isize - (recorded.len() as isize - 1);
-        let from = (-lag).max(0) as usize;
-        let to = recorded.len().min((ideal.len() as isize - lag).max(0) as usize);
-        let pairs = (from..to).map(|place| (&recorded[place].1, &ideal[(place as isize + lag) as usize].1));
-        scores.push(score(pairs, &size));
-    }
-    let shift = |k: usize| Shift {
-        offset_s: begin_s - first_s + (k as f64 - (recorded.len() as f64 - 1.0)) * cell_s,
-        score: scores[k],
-    };
-    let top = (0..shifts).max_by(|&a, &b| scores[a].total_cmp(&scores[b])).unwrap_or(0);
-    // Repeated manoeuvres: of several peaks that fit as well the one at no shift, if there is one.
-    let near = (0..shifts)
-        .filter(|&k| scores[k] >= AS_WELL * scores[top])
-        .min_by(|&a, &b| shift(a).offset_s.abs().total_cmp(&shift(b).offset_s.abs()))
-        .filter(|&k| shift(k).offset_s.abs() <= 2.0 * cell_s);
-    let best = near.unwrap_or(top);
-    let ends = |step: isize| {
-        let mut end = best as isize;
-        while (0..shifts as isize).contains(&end) && scores[end as usize] > PEAK * scores[best] {
-            end += step;
-        }
-        end
-    };
-    let (low, high) = (ends(-1), ends(1));
-    let other = (0..shifts)
-        .filter(|&k| (k as isize) < low || (k as isize) > high)
-        .filter(|&k| scores[k] >= AS_WELL * scores[best] && near.is_none())
-        .max_by(|&a, &b| scores[a].total_cmp(&scores[b]));
-    let other = other.map(shift);
-    let best = refine(path, blocks, shift(best), cell_s)?;
-    Ok(Found { best, other })
 }
 
 /// The best shift within a cell around `coarse`, by the blocks themselves.
-fn refine(path: &IdealPath, blocks: &[Block], coarse: Shift, cell_s: f64) -> Result<Shift, Error> {
+pub(super) fn refine(path: &IdealPath, blocks: &[Block], coarse: Shift, cell_s: f64) -> Result<Shift, Error> {
     let mut best = Shift { score: 0.0, ..coarse };
     let mut pairs: Vec<(Six, Six)> = room(blocks.len())?;
     let steps = (1.5 / FINE) as i32;
@@ -122,7 +209,9 @@ fn refine(path: &IdealPath, blocks: &[Block], coarse: Shift, cell_s: f64) -> Res
             *size = squares(pairs.iter().map(|pair| &pair.0), part)
                 * squares(pairs.iter().map(|pair| &pair.1), part);
         }
-        let score = score(pairs.iter().map(|(m, u)| (m, u)), &size);
+        let mut sums = [Matrix3::zeros(); 2];
+        pairs.iter().for_each(|(m, u)| add(&mut sums, m, u));
+        let score = score(&sums, &size);
         if score > best.score {
             best = Shift { offset_s, score };
         }
@@ -146,13 +235,13 @@ fn squares<'a>(signals: impl Iterator<Item = &'a Six>, part: usize) -> f64 {
     signals.map(|signal| signal.fixed_rows::<3>(3 * part).norm_squared()).sum()
 }
 
-fn score<'a>(pairs: impl Iterator<Item = (&'a Six, &'a Six)>, size: &[f64; 2]) -> f64 {
-    let mut sums = [Matrix3::<f64>::zeros(); 2];
-    for (m, u) in pairs {
-        for (part, sum) in sums.iter_mut().enumerate() {
-            *sum += m.fixed_rows::<3>(3 * part) * u.fixed_rows::<3>(3 * part).transpose();
-        }
+fn add(sums: &mut Cross, m: &Six, u: &Six) {
+    for (part, sum) in sums.iter_mut().enumerate() {
+        *sum += m.fixed_rows::<3>(3 * part) * u.fixed_rows::<3>(3 * part).transpose();
     }
+}
+
+pub(super) fn score(sums: &Cross, size: &[f64; 2]) -> f64 {
     let of = |part: usize| if size[part] > 0.0 { sums[part].norm_squared() / size[part] } else { 0.0 };
     of(0) + of(1)
 }

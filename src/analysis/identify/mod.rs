@@ -10,7 +10,7 @@
 //!       |              \         |
 //!       +-------------- solve ---+      all parameters together, about the last solution, in rounds
 //!                      /     \
-//!                 noise       jump      does the clock of the record jump?
+//!                 noise       jump      does the clock of the record jump, when and by how much? (large jumps: pieces)
 //!                   |
 //!                whiten                 blocks -> independent numbers
 //! ```
@@ -46,7 +46,9 @@ mod jump;
 mod noise;
 mod parameter;
 mod path;
+mod pieces;
 mod prior;
+mod rows;
 mod solve;
 mod whiten;
 
@@ -62,7 +64,8 @@ use nalgebra::{Matrix3, Vector3};
 use crate::base::error::{Error, Rule, check_range};
 use crate::base::math::{rotation_matrix, rotation_quaternion};
 use parameter::{Place, to_block_axes};
-use solve::{About, Matrix, Rows, Solution, Vector};
+use rows::{About, Rows};
+use solve::{Matrix, Solution, Vector};
 
 /// What is known before the record, and what is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -71,7 +74,7 @@ pub struct Request {
     pub prior: Prior,
     /// Exchange of axes, one of [`Axes::exchanges`], if it is known.
     pub axes: Option<Matrix3<f64>>,
-    /// Path time less record time \[s\], within 10 s, if it is known.
+    /// Path time less record time \[s\], -1e12 to 1e12, if it is known to 10 s: the nearest shift that fits is taken.
     pub offset_s: Option<f64>,
 }
 

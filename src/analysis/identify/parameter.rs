@@ -30,7 +30,7 @@ impl Place {
     /// The coefficients of a sensor in a solution.
     pub fn coefficients(sensor: usize, x: &Vector) -> [f64; COEFFICIENTS] {
         let (part, axis) = (sensor / 3, sensor % 3);
-        let by_axes: Coefficients = super::solve::coefficients(part, axis) * x;
+        let by_axes: Coefficients = super::rows::coefficients(part, axis) * x;
         core::array::from_fn(|k| by_axes[k])
     }
 }

@@ -4,15 +4,16 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use super::axes::{Axes, find};
 use super::blocks::{Block, Blocks};
-use super::clock::search;
-use super::noise::{COEFFICIENTS, Coefficients, Evidence, evidence};
+use super::clock::{KNOWN_S, Search};
+use super::jump::{self, Jump};
+use super::noise::{Coefficients, Evidence, evidence};
 use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
-use super::path::{IdealPath, Six};
-use super::whiten::{Columns, Steps};
-use super::{Identified, Request, jump};
+use super::path::IdealPath;
+use super::rows::{About, Rows, coefficients};
+use super::whiten::Steps;
+use super::{Identified, Request, pieces};
 use crate::base::error::{Error, Rule};
 use crate::base::math::{rotation_matrix, rotation_quaternion, rotation_vector};
-use crate::base::memory::room;
 
 /// Rounds of the fit, each about the last solution.
 const ROUNDS: usize = 8;
@@ -20,95 +21,19 @@ const ROUNDS: usize = 8;
 const CLOCK_DONE_S: f64 = 1e-7;
 const MOUNTING_DONE: f64 = 1e-8;
 /// Prior deviations of the shift of the clock about the one that was found [s], and of its drift [1].
-pub(super) const CLOCK_S: f64 = 10.0;
+pub(super) const CLOCK_S: f64 = KNOWN_S;
 pub(super) const DRIFT: f64 = 1e-4;
+/// Least time in common of a shift that is not stated, as a part of the shorter one of path and record.
+const LEAST_COMMON: f64 = 0.5;
+/// Rounds in which size and time of a jump of the clock are found.
+const JUMP_ROUNDS: usize = 8;
+/// Change of the size of a jump that ends these rounds [s].
+const JUMP_DONE_S: f64 = 1e-4;
 /// The priors of the noise of one sensor are wider than those of the parameters.
 const WIDER: f64 = 30.0;
 
 pub(super) type Vector = SVector<f64, PARAMETERS>;
 pub(super) type Matrix = SMatrix<f64, PARAMETERS, PARAMETERS>;
-
-/// About what the fit is linear.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct About {
-    /// Axes of the record = `axes` times those of the path.
-    pub axes: Matrix3<f64>,
-    /// Path time less record time at `middle_s` of the record [s], and its change [s/s].
-    pub offset_s: f64,
-    pub drift: f64,
-    pub middle_s: f64,
-    /// Angles of the mounting that `axes` has beside the exchange [rad], and those that the misalignments of both triads have in common.
-    pub turned: Vector3<f64>,
-    pub common: Vector3<f64>,
-    /// The rotation of both [rad].
-    pub mounting: Vector3<f64>,
-}
-
-impl About {
-    fn path_time_s(&self, time_s: f64) -> f64 {
-        time_s + self.offset_s + self.drift * (time_s - self.middle_s)
-    }
-}
-
-/// The rows of the six sensors: record less path, and the columns of the coefficients.
-pub(super) struct Rows {
-    pub blocks: Vec<Block>,
-    pub of_sensor: [Vec<Columns>; 6],
-}
-
-impl Rows {
-    fn new(path: &IdealPath, blocks: &[Block], about: &About) -> Result<Self, Error> {
-        let mut rows = Self { blocks: room(blocks.len())?, of_sensor: Default::default() };
-        for sensor in &mut rows.of_sensor {
-            *sensor = room(blocks.len())?;
-        }
-        let mut last: Option<f64> = None;
-        for block in blocks {
-            let ends = [block.start_s, block.end_s].map(|time| about.path_time_s(time));
-            let Some((mean, change)) = path.mean(ends[0], ends[1]) else { continue };
-            let turned = |signal: &Six, part: usize| about.axes * signal.fixed_rows::<3>(3 * part);
-            // A block that the path does not have makes a gap too.
-            let gap_s = last.map_or(0.0, |end_s| block.start_s - end_s);
-            rows.blocks
-                .push(Block { gap_s: if gap_s > 1e-3 * block.length_s() { gap_s } else { 0.0 }, ..*block });
-            last = Some(block.end_s);
-            let since_s = block.middle_s() - about.middle_s;
-            for part in 0..2 {
-                let (ideal, change) = (turned(&mean, part), turned(&change, part));
-                for axis in 0..3 {
-                    let rest = block.mean[3 * part + axis] - ideal[axis];
-                    rows.of_sensor[3 * part + axis].push([
-                        rest,
-                        1.0,
-                        ideal.x,
-                        ideal.y,
-                        ideal.z,
-                        change[axis],
-                        since_s * change[axis],
-                    ]);
-                }
-            }
-        }
-        Ok(rows)
-    }
-}
-
-/// Coefficients of a sensor by the parameters: bias, error matrix and mounting rotation φ, of which the record has φ×u more.
-pub(super) fn coefficients(part: usize, axis: usize) -> SMatrix<f64, COEFFICIENTS, PARAMETERS> {
-    let mut matrix = SMatrix::zeros();
-    matrix[(0, Place::bias(part, axis))] = 1.0;
-    for column in 0..3 {
-        matrix[(1 + column, Place::element(part, axis, column))] = 1.0;
-        // (φ×u) of this axis holds φ of the third axis, with the sign of the order.
-        if column != axis {
-            let third = 3 - axis - column;
-            matrix[(1 + column, Place::mounting(third))] = turning_sign(axis, column);
-        }
-    }
-    matrix[(4, Place::CLOCK)] = 1.0;
-    matrix[(5, Place::DRIFT)] = 1.0;
-    matrix
-}
 
 /// Finds clock, axes and parameters of a record along a path.
 pub(super) fn identify(
@@ -118,44 +43,114 @@ pub(super) fn identify(
 ) -> Result<Identified, Error> {
     request.validate()?;
     let Blocks { blocks, interval_s } = Blocks::new(record)?;
-    let found = search(path, &blocks)?;
-    let searched = find(path, &blocks, found.best.offset_s, request.axes.as_ref(), &request.prior);
-    let (matched, offset_s) = match request.offset_s {
-        Some(offset_s) => (find(path, &blocks, offset_s, request.axes.as_ref(), &request.prior)?, offset_s),
-        None => {
-            let matched = searched?;
-            if let (true, Some(other)) = (matched.is_moving, found.other) {
-                let rule = Rule::SentenceWith(
-                    "shift of the clock that fits, and so does another one; state the shift. The other one [s]:",
-                    other.offset_s.into(),
-                );
-                return Err(Error::invalid("request.offset_s", found.best.offset_s, rule));
-            }
-            // Without motion a shift is not seen: the clock is taken for that of the path.
-            if matched.is_moving {
-                (matched, found.best.offset_s)
-            } else {
-                (find(path, &blocks, 0.0, request.axes.as_ref(), &request.prior)?, 0.0)
-            }
+    let search = Search::new(path, &blocks)?;
+    if let Some(jump) = pieces::large(&search, path, &blocks)? {
+        return Err(refined(path, &blocks, request, jump).error(&blocks));
+    }
+    let start = begin(path, &blocks, &search, request)?;
+    let fitted = fit(path, &blocks, request, start)?;
+    if let Some(jump) = jump::small(&fitted, blocks.len(), interval_s)? {
+        let jump = refined(path, &blocks, request, jump);
+        if jump.is_large(interval_s) {
+            return Err(jump.error(&blocks));
         }
-    };
+    }
+    let (x, covariance) = &fitted.solution;
+    let change = to_block_axes();
+    let solution = (change * x, change * covariance * change.transpose());
+    let noise = fitted.evidences.map(|one| one.noise);
+    Ok(Identified::new(request, &solution, noise, &fitted.about, start.1, &fitted.rows))
+}
+
+/// Size and time of a jump by fits of the record without it.
+fn refined(path: &IdealPath, blocks: &[Block], request: &Request, mut jump: Jump) -> Jump {
+    for _ in 0..JUMP_ROUNDS {
+        let better = || {
+            let moved = jump.undone(blocks)?;
+            let start = begin(path, &moved, &Search::new(path, &moved)?, request)?;
+            jump.better(path, blocks, &fit(path, &moved, request, start)?)
+        };
+        match better() {
+            Ok(better)
+                if (better.change_s - jump.change_s).abs() > JUMP_DONE_S || better.behind != jump.behind =>
+            {
+                jump = better;
+            }
+            _ => break,
+        }
+    }
+    jump
+}
+
+/// Where the fit begins: shift of the clock and exchange of axes.
+fn begin(
+    path: &IdealPath,
+    blocks: &[Block],
+    search: &Search,
+    request: &Request,
+) -> Result<(About, Axes), Error> {
+    let found = search.shift(path, blocks, request.offset_s)?;
+    let axes_at = |offset_s: f64| find(path, blocks, offset_s, request.axes.as_ref(), &request.prior);
+    let mut offset_s = found.best.offset_s;
+    let at_best = axes_at(offset_s);
+    let is_still = at_best.as_ref().is_ok_and(|matched| !matched.is_moving);
+    if request.offset_s.is_none() && !is_still {
+        check_common(path, blocks, offset_s)?;
+    }
+    let mut matched = at_best?;
+    if !matched.is_moving {
+        // Without motion a shift is not seen: the clock is taken for that of the path.
+        offset_s = request.offset_s.unwrap_or(0.0);
+        matched = axes_at(offset_s)?;
+    } else if let Some(other) = found.other {
+        let rule = Rule::SentenceWith(
+            "shift of the clock that fits, and so does another one; state the shift. The other one [s]:",
+            other.offset_s.into(),
+        );
+        return Err(Error::invalid("request.offset_s", found.best.offset_s, rule));
+    }
     if !matched.axes.is_seen && matched.axes.exchange != Matrix3::identity() {
         let rule = Rule::Sentence(
             "the axes of the record are not those of the path, and the motion does not show which they are: state them",
         );
         return Err(Error { field: "request.axes", rule, ..Error::bad_state("") });
     }
-    let middle_s = 0.5 * (blocks[0].start_s + blocks[blocks.len() - 1].end_s);
-    let start = About {
+    let about = About {
         axes: matched.axes.exchange,
         offset_s,
         drift: 0.0,
-        middle_s,
+        middle_s: 0.5 * (blocks[0].start_s + blocks[blocks.len() - 1].end_s),
         turned: Vector3::zeros(),
         common: Vector3::zeros(),
         mounting: Vector3::zeros(),
     };
-    fit(path, &blocks, request, start, matched.axes, interval_s)
+    Ok((about, matched.axes))
+}
+
+/// Rejects a shift at which path and record have little time in common: short motions resemble each other.
+fn check_common(path: &IdealPath, blocks: &[Block], offset_s: f64) -> Result<(), Error> {
+    let (begin_s, end_s) = path.ends_s()?;
+    let (first_s, last_s) = (blocks[0].start_s, blocks[blocks.len() - 1].end_s);
+    let common_s = end_s.min(last_s + offset_s) - begin_s.max(first_s + offset_s);
+    if common_s < LEAST_COMMON * (end_s - begin_s).min(last_s - first_s) {
+        let rule = Rule::Sentence(
+            "seconds that it has in common with the path at the best shift of the clock, less than half of the shorter one: the record is of \
+             another motion, or state the shift",
+        );
+        return Err(Error::invalid("record.motion", common_s, rule));
+    }
+    Ok(())
+}
+
+/// What a fit has found.
+pub(super) struct Fitted {
+    pub rows: Rows,
+    /// About `about`.
+    pub solution: Solution,
+    pub evidences: [Evidence; 6],
+    pub about: About,
+    /// Standard deviations of the parameters before the record.
+    pub prior: Vector,
 }
 
 /// The rounds of the fit.
@@ -163,10 +158,8 @@ fn fit(
     path: &IdealPath,
     blocks: &[Block],
     request: &Request,
-    start: About,
-    axes: Axes,
-    interval_s: f64,
-) -> Result<Identified, Error> {
+    (start, _): (About, Axes),
+) -> Result<Fitted, Error> {
     let prior = request.prior_sigmas();
     let mut about = start;
     let mut shapes = [None; 6];
@@ -187,7 +180,7 @@ fn fit(
         if is_last || (round > 0 && clock_s < CLOCK_DONE_S && (turn + common).norm() < MOUNTING_DONE) {
             // The last solution has the noise of all shapes.
             let (solution, evidences) = joint(&rows, request, &prior, &start, &about, &[None; 6])?;
-            return finish(rows, request, solution, &evidences, about, axes, interval_s);
+            return Ok(Fitted { rows, solution, evidences, about, prior });
         }
         // No further than the linear range of the fit in one round.
         let part = 0.5 / (turn + common).norm().max(0.5);
@@ -261,20 +254,4 @@ fn joint(
     let inverse = scaled.cholesky().ok_or_else(unsolved)?.inverse();
     let covariance = Matrix::from_fn(|i, j| prior[i] * inverse[(i, j)] * prior[j]);
     Ok(((covariance * vector, covariance), evidences))
-}
-
-/// The result, unless the clock of the record jumps.
-fn finish(
-    rows: Rows,
-    request: &Request,
-    (x, covariance): Solution,
-    evidences: &[Evidence; 6],
-    about: About,
-    axes: Axes,
-    interval_s: f64,
-) -> Result<Identified, Error> {
-    jump::check(&rows, evidences, &x, interval_s)?;
-    let change = to_block_axes();
-    let solution = (change * x, change * covariance * change.transpose());
-    Ok(Identified::new(request, &solution, evidences.map(|one| one.noise), &about, axes, &rows))
 }

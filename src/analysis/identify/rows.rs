@@ -1,0 +1,97 @@
+//! The rows of the fit: record less path, and what each parameter changes.
+
+use nalgebra::{Matrix3, SMatrix, Vector3};
+
+use super::blocks::Block;
+use super::noise::COEFFICIENTS;
+use super::parameter::{PARAMETERS, Place, turning_sign};
+use super::path::{IdealPath, Six};
+use super::whiten::Columns;
+use crate::base::error::Error;
+use crate::base::memory::room;
+
+/// About what the fit is linear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct About {
+    /// Axes of the record = `axes` times those of the path.
+    pub axes: Matrix3<f64>,
+    /// Path time less record time at `middle_s` of the record [s], and its change [s/s].
+    pub offset_s: f64,
+    pub drift: f64,
+    pub middle_s: f64,
+    /// Angles of the mounting that `axes` has beside the exchange [rad], and those that the misalignments of both triads have in common.
+    pub turned: Vector3<f64>,
+    pub common: Vector3<f64>,
+    /// The rotation of both [rad].
+    pub mounting: Vector3<f64>,
+}
+
+impl About {
+    fn path_time_s(&self, time_s: f64) -> f64 {
+        time_s + self.offset_s + self.drift * (time_s - self.middle_s)
+    }
+}
+
+/// The rows of the six sensors: record less path, and the columns of the coefficients.
+pub(super) struct Rows {
+    pub blocks: Vec<Block>,
+    /// Number of each block among those of the record.
+    pub places: Vec<usize>,
+    pub of_sensor: [Vec<Columns>; 6],
+}
+
+impl Rows {
+    pub fn new(path: &IdealPath, blocks: &[Block], about: &About) -> Result<Self, Error> {
+        let count = blocks.len();
+        let mut rows = Self { blocks: room(count)?, places: room(count)?, of_sensor: Default::default() };
+        for sensor in &mut rows.of_sensor {
+            *sensor = room(count)?;
+        }
+        let mut last: Option<f64> = None;
+        for (place, block) in blocks.iter().enumerate() {
+            let ends = [block.start_s, block.end_s].map(|time| about.path_time_s(time));
+            let Some((mean, change)) = path.mean(ends[0], ends[1]) else { continue };
+            let turned = |signal: &Six, part: usize| about.axes * signal.fixed_rows::<3>(3 * part);
+            // A block that the path does not have makes a gap too.
+            let gap_s = last.map_or(0.0, |end_s| block.start_s - end_s);
+            rows.blocks
+                .push(Block { gap_s: if gap_s > 1e-3 * block.length_s() { gap_s } else { 0.0 }, ..*block });
+            rows.places.push(place);
+            last = Some(block.end_s);
+            let since_s = block.middle_s() - about.middle_s;
+            for part in 0..2 {
+                let (ideal, change) = (turned(&mean, part), turned(&change, part));
+                for axis in 0..3 {
+                    let rest = block.mean[3 * part + axis] - ideal[axis];
+                    rows.of_sensor[3 * part + axis].push([
+                        rest,
+                        1.0,
+                        ideal.x,
+                        ideal.y,
+                        ideal.z,
+                        change[axis],
+                        since_s * change[axis],
+                    ]);
+                }
+            }
+        }
+        Ok(rows)
+    }
+}
+
+/// Coefficients of a sensor by the parameters: bias, error matrix and mounting rotation φ, of which the record has φ×u more.
+pub(super) fn coefficients(part: usize, axis: usize) -> SMatrix<f64, COEFFICIENTS, PARAMETERS> {
+    let mut matrix = SMatrix::zeros();
+    matrix[(0, Place::bias(part, axis))] = 1.0;
+    for column in 0..3 {
+        matrix[(1 + column, Place::element(part, axis, column))] = 1.0;
+        // (φ×u) of this axis holds φ of the third axis, with the sign of the order.
+        if column != axis {
+            let third = 3 - axis - column;
+            matrix[(1 + column, Place::mounting(third))] = turning_sign(axis, column);
+        }
+    }
+    matrix[(4, Place::CLOCK)] = 1.0;
+    matrix[(5, Place::DRIFT)] = 1.0;
+    matrix
+}
