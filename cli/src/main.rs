@@ -17,6 +17,8 @@ mod ensemble;
 mod failure;
 mod fly;
 mod given;
+mod identify;
+mod imu;
 mod interrupt;
 mod limits;
 mod lines;
@@ -63,6 +65,7 @@ enum Command {
     Log(log::Order),
     Report(report::Order),
     Allan(allan::Order),
+    Identify(identify::Order),
     Budget(budget::Order),
     Curve(curve::Order),
     Recommend(recommend::Order),
@@ -110,6 +113,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Log(order) => log::run(order),
         Command::Report(order) => report::run(order),
         Command::Allan(order) => allan::run(order),
+        Command::Identify(order) => identify::run(order),
         Command::Budget(order) => budget::run(order),
         Command::Curve(order) => curve::run(order),
         Command::Recommend(order) => recommend::run(order),

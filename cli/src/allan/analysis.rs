@@ -2,11 +2,11 @@
 
 use sins_allan::{Estimate, Estimator, Filter, Fit, Interval, Point, TERMS, Term};
 
-use super::log::{Log, Series};
-use super::quantity::Sensor;
 use super::values;
 use crate::drawing::series::mean;
 use crate::failure::Failure;
+use crate::imu::Sensor;
+use crate::imu::{Log, Series};
 use crate::progress::Progress;
 use crate::terminal::say;
 use crate::units::significant;
@@ -242,6 +242,7 @@ pub mod tests {
             remarks,
             is_counted: false,
             is_still: false,
+            times_s: Vec::new(),
         }
     }
 

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::failure::Failure;
+use crate::imu::{Wanted, wanted};
 use crate::places::beside;
 
 /// Draws the Allan deviation of an IMU log, and finds the noise coefficients that explain it
@@ -57,14 +58,6 @@ pub struct Order {
     pub force: bool,
 }
 
-/// A column to read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
-    pub name: String,
-    /// Unit of the column, if the name does not end with one.
-    pub unit: Option<String>,
-}
-
 impl Order {
     /// File of the output.
     pub fn output(&self) -> PathBuf {
@@ -95,17 +88,6 @@ fn rate(text: &str) -> Result<f64, String> {
         Ok(rate) if rate > 0.0 && rate.is_finite() => Ok(rate),
         _ => Err("expected a number of samples per second, greater than 0".to_owned()),
     }
-}
-
-fn wanted(text: &str) -> Result<Wanted, String> {
-    // A unit as the names of columns have it: deg/s is deg_s, m/s² is m_s2.
-    let unit =
-        |unit: &str| unit.trim().replace('/', "_").replace('²', "2").replace('^', "").replace('°', "deg");
-    let (name, unit) = match text.rsplit_once('=').or_else(|| text.rsplit_once(':')) {
-        Some((name, text)) => (name, Some(unit(text))),
-        None => (text, None),
-    };
-    Ok(Wanted { name: name.trim().to_owned(), unit })
 }
 
 #[cfg(test)]

@@ -3,13 +3,13 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::analysis::Analysis;
-use super::log::Log;
 use super::{diagram, sheet, table};
 use crate::drawing::document as page;
 use crate::drawing::figure::Figure;
 use crate::drawing::file::{LEGEND, MARGIN, TITLE, file, legend_row, placed};
 use crate::drawing::plot::{FINE, WIDTH};
 use crate::failure::Failure;
+use crate::imu::Log;
 
 /// Largest number of curves side by side in a picture.
 const ACROSS: usize = 3;

@@ -1,18 +1,15 @@
 //! The Allan deviation of an IMU log, and the noises that explain it.
 //!
-//! The data flow is `command` → `quantity`, `stamps`, `log` → `values`, `analysis` → `diagram`, `document`, `table`, `records`, `scene`.
+//! The data flow is `command` → `crate::imu` → `values`, `analysis` → `diagram`, `document`, `table`, `records`, `scene`.
 //! `sheet` has the units of data sheets. The estimator is a package of its own, [`sins_allan`].
 
 mod analysis;
 mod command;
 mod diagram;
 mod document;
-mod log;
-mod quantity;
 mod records;
 mod scene;
 mod sheet;
-mod stamps;
 mod table;
 mod values;
 
@@ -23,11 +20,11 @@ use std::path::PathBuf;
 use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
+use crate::imu::{Log, Source};
 use crate::output::{NO_MARK, Outputs};
 use crate::terminal::{print, quoted};
 use crate::written;
 use analysis::Analysis;
-use log::Log;
 
 /// Analyses the log of `order`, writes the files and prints the table.
 pub fn run(order: &Order) -> Result<(), Failure> {
@@ -38,7 +35,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
     let scene = order.scene.as_ref().map(|path| outputs.file(path, NO_MARK)).transpose()?;
-    let log = Log::read(order)?;
+    let source = Source { path: &order.log, columns: &order.columns, rate_hz: order.rate_hz };
+    let log = Log { is_still: order.still, ..Log::read(&source)? };
     let analyses = Analysis::of_log(&log)?;
     let drawn = match is_page {
         true => document::page(&log, &analyses)?,

@@ -4,10 +4,10 @@ use sins::scene::{KeyLine, Scene, key_of_field, keys};
 use sins_allan::Term;
 
 use super::analysis::{Analysis, CERTAINTY, Coefficient};
-use super::log::Log;
-use super::quantity::Sensor;
 use super::{sheet, table};
 use crate::failure::Failure;
+use crate::imu::Log;
+use crate::imu::Sensor;
 use crate::units::significant;
 
 /// The begin of such a scene.

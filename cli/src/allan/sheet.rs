@@ -3,7 +3,7 @@
 use sins::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR};
 use sins_allan::Term;
 
-use super::quantity::Sensor;
+use crate::imu::Sensor;
 use crate::units::{MICRO_G, Unit};
 
 const HOUR_S: f64 = 3600.0;

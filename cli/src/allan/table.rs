@@ -3,8 +3,8 @@
 use sins_allan::{Filter, Term};
 
 use super::analysis::{Analysis, Coefficient};
-use super::log::Log;
 use super::sheet;
+use crate::imu::Log;
 use crate::units::{Unit, in_unit, significant, time_text};
 
 /// Value and interval in `unit`; for a coefficient that is not resolved, the upper limit.

@@ -17,6 +17,7 @@ mod ensemble;
 mod fdr;
 mod flight_records;
 mod fly;
+mod identify;
 mod increments;
 mod inputs;
 mod judged;

@@ -8,8 +8,8 @@ use std::path::Path;
 use sins::log::{Clock, LogMapping};
 use sins_allan::FEWEST_SAMPLES;
 
-use super::command::Order;
-use super::quantity::{self, Quantity, Sensor, Stamp, choose};
+use super::begin::plain;
+use super::quantity::{self, Quantity, Sensor, Stamp, Wanted, choose};
 use super::stamps::{self, Stamps};
 use crate::failure::Failure;
 use crate::given::open_table;
@@ -19,6 +19,16 @@ use crate::units::{significant, time_text};
 
 /// Scatter of the stamps, as a part of the interval, that is worth a remark.
 const SCATTER: f64 = 0.5;
+
+/// A record, and how it is read.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'a> {
+    pub path: &'a Path,
+    /// Columns of the command line.
+    pub columns: &'a [Wanted],
+    /// Samples a second of the command line.
+    pub rate_hz: Option<f64>,
+}
 
 /// A column.
 pub struct Series {
@@ -42,28 +52,31 @@ pub struct Log {
     pub is_counted: bool,
     /// Whether the user says that the sensor is at rest.
     pub is_still: bool,
+    /// End of the interval of each row [s], by its own stamp unless stamps scatter.
+    pub times_s: Vec<f64>,
 }
 
 impl Log {
-    /// Reads the log of `order`.
-    pub fn read(order: &Order) -> Result<Self, Failure> {
-        let path = &order.log;
+    /// Reads a record.
+    pub fn read(source: &Source<'_>) -> Result<Self, Failure> {
+        let path = source.path;
         let (input, length) = open_table(path)?;
         let what = format!("reading {}", path.display());
         let progress = match length {
             0 => Progress::working(what),
             bytes => Progress::counting(what, bytes as usize),
         };
-        Self::from_input(order, progress.reading(input)).map_err(|failure| begin(path, failure))
+        Self::from_input(source, progress.reading(input)).map_err(|failure| begin(path, failure))
     }
 
-    fn from_input(order: &Order, input: impl Read) -> Result<Self, Failure> {
-        let path = &order.log;
+    fn from_input(source: &Source<'_>, input: impl Read) -> Result<Self, Failure> {
+        let path = source.path;
+        let input = plain(input).map_err(|error| Failure::of_input(path, &error))?;
         let mut columns: Vec<(String, Quantity)> = Vec::new();
         let mut time = None;
         let mut table = Table::read_some(path, input, |names| {
-            columns = choose(names, &order.columns).map_err(|failure| Failure::of_line(path, 1, &failure))?;
-            time = quantity::stamps(names, &order.columns);
+            columns = choose(names, source.columns).map_err(|failure| Failure::of_line(path, 1, &failure))?;
+            time = quantity::stamps(names, source.columns);
             let names =
                 columns.iter().map(|(name, _)| name.clone()).chain(time.iter().map(|(name, _)| name.clone()));
             let clock = time.iter().find_map(|(name, stamp)| match stamp {
@@ -79,7 +92,8 @@ impl Log {
             let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", table.rows());
             return Err(Failure::of_file(path, &what));
         }
-        let stamps = stamps(path, &mut table, time.as_ref(), order.rate_hz)?;
+        let (stamps, all_s) = stamps(path, &mut table, time.as_ref(), source.rate_hz)?;
+        let times_s = times(&stamps, all_s);
         let interval_s = stamps.interval_s;
         let series = columns.into_iter().map(|(name, quantity)| {
             let unit = quantity.si * if quantity.is_increment { 1.0 } else { interval_s };
@@ -90,9 +104,9 @@ impl Log {
         });
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let series = series.collect::<Result<_, Failure>>()?;
-        let is_counted = order.rate_hz.is_some() && time.is_some();
+        let is_counted = source.rate_hz.is_some() && time.is_some();
         let (pieces, remarks) = (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps));
-        Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: order.still })
+        Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: false, times_s })
     }
 
     pub fn count(&self) -> usize {
@@ -146,6 +160,22 @@ fn remarks(stamps: &Stamps) -> Vec<String> {
     remarks
 }
 
+/// Times of the rows of the pieces. Where stamps scatter by half an interval and more, rows are equally spaced about the mean of the stamps
+/// of their piece.
+fn times(stamps: &Stamps, mut times_s: Vec<f64>) -> Vec<f64> {
+    let interval_s = stamps.interval_s;
+    if stamps.jitter > SCATTER {
+        for piece in &stamps.pieces {
+            let rows = &mut times_s[piece.clone()];
+            let count = rows.len() as f64;
+            let middle_s = rows.iter().sum::<f64>() / count - 0.5 * (count - 1.0) * interval_s;
+            rows.iter_mut().enumerate().for_each(|(row, time)| *time = middle_s + row as f64 * interval_s);
+        }
+    }
+    keep(&mut times_s, &stamps.pieces);
+    times_s
+}
+
 /// Keeps the rows of these pieces.
 fn keep(values: &mut Vec<f64>, pieces: &[Range<usize>]) {
     let mut to = 0;
@@ -162,9 +192,10 @@ fn stamps(
     table: &mut Table,
     time: Option<&(String, Stamp)>,
     rate_hz: Option<f64>,
-) -> Result<Stamps, Failure> {
+) -> Result<(Stamps, Vec<f64>), Failure> {
     if let Some(rate_hz) = rate_hz {
-        return Ok(Stamps::counted(table.rows(), 1.0 / rate_hz));
+        let counted = Stamps::counted(table.rows(), 1.0 / rate_hz);
+        return Ok((counted, (0..table.rows()).map(|row| row as f64 / rate_hz).collect()));
     }
     let Some((name, stamp)) = time else {
         let header = table.header();
@@ -202,32 +233,22 @@ fn stamps(
         );
         return Err(Failure::of_file(path, &what));
     }
-    Ok(found)
+    Ok((found, times_s))
 }
 
 #[cfg(test)]
-pub mod tests {
+mod tests {
     use super::*;
 
-    fn order(rate_hz: Option<f64>) -> Order {
-        let (log, output) = ("log.csv".into(), Some("out.svg".into()));
-        Order {
-            log,
-            output,
-            points: None,
-            scene: None,
-            rate_hz,
-            still: false,
-            columns: Vec::new(),
-            force: false,
-        }
+    fn source(rate_hz: Option<f64>) -> Source<'static> {
+        Source { path: Path::new("log.csv"), columns: &[], rate_hz }
     }
 
     /// Reads a log with the rows `time(k)`, k.
     fn read(header: &str, rate_hz: Option<f64>, time: impl Fn(u32) -> String) -> Result<Log, String> {
         let rows: Vec<String> = (0..60).map(|k| format!("{},{k}\n", time(k))).collect();
         let text = format!("{header}\n{}", rows.concat());
-        Log::from_input(&order(rate_hz), text.as_bytes()).map_err(|failure| failure.to_string())
+        Log::from_input(&source(rate_hz), text.as_bytes()).map_err(|failure| failure.to_string())
     }
 
     #[test]
@@ -279,7 +300,7 @@ pub mod tests {
         };
         let rows = (0..150).flat_map(|piece| (0..length(piece)).map(move |k| (100 * piece + k, piece)));
         let text: String = rows.map(|(time, piece)| format!("{time},{piece}\n")).collect();
-        let log = Log::from_input(&order(None), format!("time_s,delta_v_m_s\n{text}").as_bytes())
+        let log = Log::from_input(&source(None), format!("time_s,delta_v_m_s\n{text}").as_bytes())
             .map_err(|failure| failure.to_string());
         let log = log.unwrap();
         // 99 of 50 rows and the one of 90; 50 of 46 rows are left out.
@@ -294,7 +315,7 @@ pub mod tests {
 
     #[test]
     fn short_logs_are_reported() {
-        let failure = Log::from_input(&order(Some(1.0)), "a_g\n1\n".as_bytes()).err().unwrap().to_string();
+        let failure = Log::from_input(&source(Some(1.0)), "a_g\n1\n".as_bytes()).err().unwrap().to_string();
         assert!(failure.contains("found 1"), "{failure}");
     }
 }

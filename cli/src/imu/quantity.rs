@@ -1,8 +1,7 @@
-//! Quantity of a column, from the end of its name.
+//! Quantity of a column, from its name: known names, units in brackets, and units at the end.
 
 use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
 
-use super::command::Wanted;
 use sins::log::TimeFormat;
 use sins::scene::listed;
 
@@ -34,9 +33,34 @@ const fn increment(unit: &'static str, sensor: Sensor, si: f64) -> Quantity {
     Quantity { unit, sensor, is_increment: true, si }
 }
 
-const QUANTITIES: [Quantity; 11] = [
+/// A column to read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wanted {
+    pub name: String,
+    /// Unit of the column, if the name does not say it.
+    pub unit: Option<String>,
+}
+
+/// A column of the command line: NAME or NAME=UNIT.
+pub fn wanted(text: &str) -> Result<Wanted, String> {
+    let (name, unit) = match text.rsplit_once('=').or_else(|| text.rsplit_once(':')) {
+        Some((name, unit)) => (name, Some(plain_unit(unit))),
+        None => (text, None),
+    };
+    Ok(Wanted { name: name.trim().to_owned(), unit })
+}
+
+/// A unit as the ends of names have it: deg/s and deg s^-1 are deg_s, m/s² is m_s2.
+fn plain_unit(text: &str) -> String {
+    let text = text.trim().replace("dps", "deg/s").replace(['°', 'º'], "deg").replace(['µ', 'μ'], "u");
+    let text = text.replace(" s^-", "/s").replace(" s-", "/s").replace("*s^-", "/s").replace("/s1", "/s");
+    text.replace('/', "_").replace('²', "2").replace(['^', ' '], "")
+}
+
+const QUANTITIES: [Quantity; 13] = [
     rate("rad_s", Sensor::Gyro, 1.0),
     rate("deg_s", Sensor::Gyro, DEG),
+    rate("mdeg_s", Sensor::Gyro, 1e-3 * DEG),
     rate("deg_h", Sensor::Gyro, DEG_PER_HOUR),
     rate("m_s2", Sensor::Accelerometer, 1.0),
     rate("g", Sensor::Accelerometer, STANDARD_GRAVITY),
@@ -46,7 +70,50 @@ const QUANTITIES: [Quantity; 11] = [
     increment("deg", Sensor::Gyro, DEG),
     increment("arcsec", Sensor::Gyro, ARCSEC),
     increment("m_s", Sensor::Accelerometer, 1.0),
+    increment("mm_s", Sensor::Accelerometer, 1e-3),
 ];
+
+/// A recorder whose columns have no unit in their names.
+struct Recorder {
+    /// Column of times, and its unit [s]. Others write GyrX in other units: only a table with this column is of the recorder.
+    time: (&'static str, f64),
+    /// Names without the axis.
+    gyro: (&'static str, &'static str),
+    accel: (&'static str, &'static str),
+}
+
+/// Evidence: the messages IMU of ArduPilot, the topic sensor_combined of PX4, the exports of MT Manager of Xsens and of the Control Center
+/// of VectorNav.
+const RECORDERS: [Recorder; 4] = [
+    Recorder { time: ("TimeUS", 1e-6), gyro: ("Gyr", "rad_s"), accel: ("Acc", "m_s2") },
+    Recorder {
+        time: ("timestamp", 1e-6),
+        gyro: ("gyro_rad", "rad_s"),
+        accel: ("accelerometer_m_s2", "m_s2"),
+    },
+    Recorder { time: ("SampleTimeFine", 1e-4), gyro: ("Gyr_", "rad_s"), accel: ("Acc_", "m_s2") },
+    Recorder { time: ("TimeStartup", 1e-9), gyro: ("Gyro", "rad_s"), accel: ("Accel", "m_s2") },
+];
+const AXES: [&str; 6] = ["X", "Y", "Z", "[0]", "[1]", "[2]"];
+
+impl Recorder {
+    /// The recorder of a table with these columns.
+    fn of(names: &[String]) -> Option<&'static Self> {
+        RECORDERS.iter().find(|recorder| {
+            let has_time = names.iter().any(|name| name == recorder.time.0);
+            has_time && names.iter().any(|name| recorder.quantity(name).is_some())
+        })
+    }
+
+    fn quantity(&self, name: &str) -> Option<Quantity> {
+        let stem = AXES.iter().find_map(|axis| name.strip_suffix(axis))?;
+        of_unit([self.gyro, self.accel].into_iter().find(|(known, _)| *known == stem)?.1)
+    }
+}
+
+fn of_unit(unit: &str) -> Option<Quantity> {
+    QUANTITIES.into_iter().find(|quantity| quantity.unit == unit)
+}
 
 /// Words that mark the name of a column of increments. Other columns, such as latitude_rad, have none of them.
 const INCREMENT_WORDS: [&str; 2] = ["increment", "delta"];
@@ -79,7 +146,25 @@ pub fn stamps(names: &[String], wanted: &[Wanted]) -> Option<(String, Stamp)> {
         names.contains(&name).then_some((name, *stamp))
     };
     let chosen = wanted.iter().find_map(|wanted| Some((wanted.name.clone(), stamp(wanted)?)));
-    chosen.or_else(|| OF_NAMES.iter().find_map(own))
+    let known = |recorder: &Recorder| (recorder.time.0.to_owned(), Stamp::Number(recorder.time.1));
+    let in_brackets = |name: &String| {
+        let (stem, unit) = in_brackets(name)?;
+        let is_time = stem.to_lowercase().contains("time");
+        let unit = OF_NAMES.iter().find(|(known, _)| *known == unit)?.1;
+        is_time.then(|| (name.clone(), unit))
+    };
+    chosen
+        .or_else(|| OF_NAMES.iter().find_map(own))
+        .or_else(|| Recorder::of(names).map(known))
+        .or_else(|| names.iter().find_map(in_brackets))
+}
+
+/// The name and the unit of "name [unit]" or "name (unit)".
+fn in_brackets(name: &str) -> Option<(&str, String)> {
+    let text = name.trim().strip_suffix([']', ')'])?;
+    let at = text.rfind(['[', '('])?;
+    let (stem, unit) = (text[..at].trim(), plain_unit(&text[at + 1..]));
+    (!stem.is_empty()).then_some((stem, unit))
 }
 
 /// Units of time that the end of a name can have.
@@ -95,16 +180,21 @@ fn stamp(wanted: &Wanted) -> Option<Stamp> {
     STAMPS.into_iter().find(|(name, _)| *name == unit).map(|(_, stamp)| stamp)
 }
 
-/// Quantity with the unit at the end of `name`, after an underscore.
-fn by_name(name: &str) -> Option<Quantity> {
-    QUANTITIES
-        .into_iter()
-        .filter(|quantity| name.strip_suffix(quantity.unit).is_some_and(|stem| stem.ends_with('_')))
-        .max_by_key(|quantity| quantity.unit.len())
+/// Quantity with the unit in brackets or at the end of `name`, after an underscore, or that of its recorder.
+fn by_name(name: &str, recorder: Option<&Recorder>) -> Option<Quantity> {
+    let in_brackets = in_brackets(name).and_then(|(_, unit)| of_unit(&unit));
+    let at_end = || {
+        QUANTITIES
+            .into_iter()
+            .filter(|quantity| name.strip_suffix(quantity.unit).is_some_and(|stem| stem.ends_with('_')))
+            .max_by_key(|quantity| quantity.unit.len())
+    };
+    in_brackets.or_else(at_end).or_else(|| recorder?.quantity(name))
 }
 
 /// Columns of the header `names` that are analysed.
 pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quantity)>, Failure> {
+    let recorder = Recorder::of(names);
     let wanted_before = |place: usize, name: &str| wanted[..place].iter().any(|before| before.name == name);
     for (place, wanted) in wanted.iter().enumerate() {
         let Wanted { name, .. } = wanted;
@@ -125,7 +215,8 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
     }
     if let Some(name) =
         names.iter().enumerate().find_map(|(place, name)| names[..place].contains(name).then_some(name))
-        && (wanted.is_empty() && by_name(name).is_some() || wanted.iter().any(|wanted| wanted.name == *name))
+        && (wanted.is_empty() && by_name(name, recorder).is_some()
+            || wanted.iter().any(|wanted| wanted.name == *name))
     {
         return Err(Failure::new(format!("two columns are named \"{name}\": give them names of their own")));
     }
@@ -134,10 +225,10 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
         let is_sensor = |name: &str, quantity: &Quantity| {
             !quantity.is_increment || INCREMENT_WORDS.iter().any(|word| name.to_lowercase().contains(word))
         };
-        let all = names.iter().filter_map(|name| Some((name.clone(), by_name(name)?)));
+        let all = names.iter().filter_map(|name| Some((name.clone(), by_name(name, recorder)?)));
         all.filter(|(name, quantity)| is_sensor(name, quantity)).collect()
     } else {
-        wanted.map(find).collect::<Result<Vec<_>, _>>()?
+        wanted.map(|wanted| find(wanted, recorder)).collect::<Result<Vec<_>, _>>()?
     };
     match chosen.len() {
         1..=MOST => Ok(chosen),
@@ -157,11 +248,11 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
     }
 }
 
-fn find(wanted: &Wanted) -> Result<(String, Quantity), Failure> {
+fn find(wanted: &Wanted, recorder: Option<&Recorder>) -> Result<(String, Quantity), Failure> {
     let Wanted { name, unit } = wanted;
     let quantity = match unit {
-        Some(unit) => QUANTITIES.into_iter().find(|quantity| quantity.unit == unit),
-        None => by_name(name),
+        Some(unit) => of_unit(unit),
+        None => by_name(name, recorder),
     };
     let units =
         || listed(QUANTITIES.iter().map(|quantity| quantity.unit).chain(STAMPS.iter().map(|stamp| stamp.0)));
@@ -197,11 +288,45 @@ mod tests {
             ("a_mg", "mg"),
             ("a_g", "g"),
         ] {
-            assert_eq!(by_name(name).unwrap().unit, unit, "{name}");
+            assert_eq!(by_name(name, None).unwrap().unit, unit, "{name}");
         }
         for name in ["time_s", "rad_s", "heading", "omg", "temperature_c"] {
-            assert_eq!(by_name(name), None, "{name}");
+            assert_eq!(by_name(name, None), None, "{name}");
         }
+    }
+
+    /// Units in brackets, and names of recorders: these only beside the column of times that the recorder writes.
+    #[test]
+    fn units_of_recorders_need_their_times() {
+        for (name, unit) in [
+            ("w_RS_S_x [rad s^-1]", "rad_s"),
+            ("AngleRateX (rad/s)", "rad_s"),
+            ("Gyro X [mdps]", "mdeg_s"),
+            ("gyro [°/s]", "deg_s"),
+            ("AccelX (m/s^2)", "m_s2"),
+            ("a_RS_S_x [m s^-2]", "m_s2"),
+        ] {
+            assert_eq!(by_name(name, None).unwrap().unit, unit, "{name}");
+        }
+        for (header, time) in [
+            ("TimeUS,GyrX,AccZ", ("TimeUS", 1e-6)),
+            ("timestamp,gyro_rad[0],accelerometer_m_s2[2]", ("timestamp", 1e-6)),
+            ("PacketCounter,SampleTimeFine,Gyr_X,Acc_Z", ("SampleTimeFine", 1e-4)),
+            ("TimeStartup,GyroX,AccelZ", ("TimeStartup", 1e-9)),
+        ] {
+            let units: Vec<&str> = chosen(header, &[]).unwrap().iter().map(|column| column.1.unit).collect();
+            assert_eq!(units, ["rad_s", "m_s2"], "{header}");
+            assert_eq!(stamps(&names(header), &[]), Some((time.0.to_owned(), Stamp::Number(time.1))));
+            let others = header.replace(time.0, "when");
+            assert!(chosen(&others, &[]).unwrap_err().contains("--columns"), "{others}");
+        }
+        // Times of an unknown recorder have an unknown unit.
+        assert_eq!(stamps(&names("timestamp,wx_deg_s"), &[]), None);
+        let nanoseconds = "timestamp [ns]";
+        assert_eq!(
+            stamps(&names("timestamp [ns],wx_deg_s"), &[]),
+            Some((nanoseconds.into(), Stamp::Number(1e-9)))
+        );
     }
 
     #[test]

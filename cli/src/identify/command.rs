@@ -1,0 +1,153 @@
+//! The command line of `sins identify`.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use nalgebra::Matrix3;
+use sins::analysis::identify::{Prior, Request};
+use sins::sensors::Grade;
+
+use crate::failure::Failure;
+use crate::given::{Settings, Trust};
+use crate::imu::{Wanted, wanted};
+use crate::places::beside;
+
+/// Scene of a log that has no scene.
+pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
+
+/// Finds the errors that a recorded IMU has, and writes them as a scene that flies
+///
+/// Compares the record with what perfect sensors measure along the true path. Finds how the clock of the record is shifted, which
+/// axis is which, then biases, scale factors, misalignments and the noise of each sensor, with 95 % intervals. What the motion does not
+/// show is reported as not seen, with a motion that would show it, and is not written.
+///
+/// The record has three columns of rates or angle increments and three of forces or velocity increments, each three in the order x, y, z,
+/// and time stamps. The unit of a column is in brackets, "AngleRateX (rad/s)", at the end of its name, gyro_x_deg_s, or that of a known
+/// recorder; docs/identify.md names them. A record of another motion or in other units, or whose clock jumps, is rejected.
+#[derive(Debug, clap::Args)]
+pub struct Order {
+    /// The true path: a flight log LOG.csv, a scene, or a built-in scene
+    #[arg(value_name = "TRUTH")]
+    pub truth: OsString,
+    /// The record of the IMU; it may be the table of the path
+    #[arg(long, value_name = "RECORD.csv")]
+    pub imu: PathBuf,
+    #[command(flatten)]
+    pub settings: Settings,
+    #[command(flatten)]
+    pub trust: Trust,
+    /// The scene [default: RECORD_sensor.toml in the folder of the record]
+    #[arg(short, long, value_name = "SENSOR.toml")]
+    pub output: Option<PathBuf>,
+    /// What is known of the sensors: strategic, navigation, tactical, industrial or consumer
+    ///
+    /// The default is consumer, the widest. A prior that is too narrow moves the estimates.
+    #[arg(long, value_name = "GRADE", default_value = "consumer")]
+    pub prior: String,
+    /// Columns of the record, separated by commas, if its names do not say them: "wx=deg/s"
+    #[arg(long = "imu-columns", value_name = "NAME[=UNIT]", value_delimiter = ',', value_parser = wanted)]
+    pub imu_columns: Vec<Wanted>,
+    /// Samples per second of a record without time stamps
+    #[arg(long, value_name = "HZ")]
+    pub rate: Option<f64>,
+    /// Time of the path less time of the record [s], if it is known to 10 s
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub shift: Option<f64>,
+    /// Axes of the path along x, y and z of the record, if they are known: "y x -z"
+    #[arg(long, value_name = "AXES", allow_hyphen_values = true)]
+    pub axes: Option<String>,
+    /// Reads forces that are negative where the sensor is pushed forward
+    #[arg(long)]
+    pub reversed: bool,
+    /// Prints what was found as JSON in the place of the table
+    #[arg(long)]
+    pub json: bool,
+    /// Also replaces files that this program did not write
+    #[arg(long)]
+    pub force: bool,
+}
+
+impl Order {
+    /// File of the scene.
+    pub fn output(&self) -> PathBuf {
+        self.output.clone().unwrap_or_else(|| beside(&self.imu, "_sensor.toml"))
+    }
+
+    /// What is known before the record.
+    pub fn request(&self) -> Result<Request, Failure> {
+        let grade = match self.prior.as_str() {
+            "strategic" => Grade::Strategic,
+            "navigation" => Grade::Navigation,
+            "tactical" => Grade::Tactical,
+            "industrial" => Grade::Industrial,
+            "consumer" => Grade::Consumer,
+            other => {
+                let grades = "strategic, navigation, tactical, industrial or consumer";
+                return Err(Failure::new(format!("--prior {other}: expected {grades}")));
+            }
+        };
+        if let Some(rate) = self.rate.filter(|rate| !(1e-3..=1e6).contains(rate)) {
+            return Err(Failure::new(format!("--rate {rate}: expected 0.001 to 1e6 samples per second")));
+        }
+        if let Some(shift) = self.shift.filter(|shift| !shift.is_finite()) {
+            return Err(Failure::new(format!("--shift {shift}: expected a finite number of seconds")));
+        }
+        let axes = self.axes.as_deref().map(axes).transpose()?;
+        Ok(Request { prior: Prior::of(grade), axes, offset_s: self.shift })
+    }
+}
+
+/// The exchange of axes of a text such as "y x -z".
+fn axes(text: &str) -> Result<Matrix3<f64>, Failure> {
+    let mut exchange = Matrix3::<f64>::zeros();
+    let words: Vec<&str> = text.split([' ', ',']).filter(|word| !word.is_empty()).collect();
+    for (row, word) in words.iter().enumerate().take(3) {
+        let (sign, name) = word.strip_prefix('-').map_or((1.0, *word), |name| (-1.0, name));
+        if let Some(column) = ["x", "y", "z"].iter().position(|axis| *axis == name.trim_start_matches('+')) {
+            exchange[(row, column)] = sign;
+        }
+    }
+    let is_one = words.len() == 3 && (exchange.determinant() - 1.0).abs() < 1e-9;
+    if is_one {
+        return Ok(exchange);
+    }
+    Err(Failure::new(format!(
+        "--axes {text}: expected x, y and z once each with or without \"-\", and no reflection, as \"y x -z\""
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parsed::parsed;
+
+    fn request(more: &[&str]) -> Result<Request, String> {
+        let arguments: Vec<&str> = ["a.csv", "--imu", "b.csv"].iter().chain(more).copied().collect();
+        parsed::<Order>(&arguments)?.request().map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn what_is_known_is_read() {
+        let known = request(&["--axes", "-y x z", "--shift", "-3.5", "--prior", "tactical"]).unwrap();
+        assert_eq!(known.axes, Some(Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)));
+        assert_eq!((known.offset_s, known.prior), (Some(-3.5), Prior::of(Grade::Tactical)));
+        assert_eq!(
+            parsed::<Order>(&["a", "--imu", "d/b.csv"]).unwrap().output(),
+            PathBuf::from("d/b_sensor.toml")
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        for (more, named) in [
+            (["--axes", "x y -z"], "--axes x y -z: expected x, y and z once"),
+            (["--axes", "x x z"], "no reflection"),
+            (["--axes", "x y"], "--axes x y"),
+            (["--prior", "best"], "--prior best: expected strategic"),
+            (["--rate", "0"], "--rate 0: expected"),
+            (["--shift", "inf"], "--shift inf"),
+        ] {
+            assert!(request(&more).unwrap_err().contains(named), "{more:?}");
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! What was found as JSON, in SI units.
+
+use sins::analysis::identify::{Estimate, Identified};
+
+use super::record::Record;
+use super::sheet::{Sheet, sheets};
+
+/// The text of an object.
+pub fn text(record: &Record, found: &Identified) -> String {
+    let exchange: Vec<String> = found.axes.exchange.row_iter().map(|row| list(row.iter().copied())).collect();
+    let rotation: Vec<String> = found.rotation.row_iter().map(|row| list(row.iter().copied())).collect();
+    let mounting: Vec<String> = found.mounting.iter().map(estimate).collect();
+    let sensors: Vec<String> = sheets(found).iter().map(sensor).collect();
+    format!(
+        "{{\n\"rows\": {}, \"interval_s\": {}, \"blocks\": {}, \"block_s\": {},\n\"clock_shift_s\": {},\n\"clock_drift\": {},\n\
+         \"axes\": {{\"exchange\": [{}], \"seen\": {}}},\n\"mounting_rad\": [{}],\n\"rotation\": [{}],\n{}\n}}\n",
+        record.increments.len(),
+        record.interval_s,
+        found.blocks,
+        found.block_s,
+        estimate(&found.offset_s),
+        estimate(&found.drift),
+        exchange.join(", "),
+        found.axes.is_seen,
+        mounting.join(", "),
+        rotation.join(", "),
+        sensors.join(",\n")
+    )
+}
+
+fn sensor(sheet: &Sheet) -> String {
+    let parameters =
+        sheet.lines.iter().map(|line| format!("  \"{}\": {}", line.name, estimate(&line.estimate)));
+    let noises = sheet.noises.iter().map(|line| {
+        let noise = line.estimate;
+        format!(
+            "  \"{}\": {{\"value\": {}, \"low\": {}, \"high\": {}, \"seen\": {}}}",
+            line.name,
+            noise.value,
+            noise.low,
+            noise.high,
+            noise.low > 0.0
+        )
+    });
+    let all: Vec<String> = parameters.chain(noises).collect();
+    format!("\"{}\": {{\n{}\n}}", sheet.section, all.join(",\n"))
+}
+
+fn estimate(estimate: &Estimate) -> String {
+    let (low, high) = estimate.interval();
+    format!(
+        "{{\"value\": {}, \"low\": {low}, \"high\": {high}, \"sigma\": {}, \"prior\": {}, \"seen\": {}}}",
+        estimate.value,
+        estimate.sigma,
+        estimate.prior,
+        estimate.is_seen()
+    )
+}
+
+fn list(values: impl Iterator<Item = f64>) -> String {
+    let values: Vec<String> = values.map(|value| value.to_string()).collect();
+    format!("[{}]", values.join(", "))
+}

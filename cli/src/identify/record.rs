@@ -1,0 +1,55 @@
+//! The record as increments of three gyros and three accelerometers.
+
+use nalgebra::Vector3;
+use sins::analysis::identify::RecordedIncrement;
+use sins::signal::Increment;
+
+use super::command::Order;
+use crate::failure::Failure;
+use crate::imu::{Log, Sensor, Source};
+
+/// A record.
+pub struct Record {
+    /// Name of its file.
+    pub name: String,
+    pub interval_s: f64,
+    /// Names of the columns: gyros, then accelerometers.
+    pub columns: Vec<String>,
+    pub increments: Vec<RecordedIncrement>,
+    /// Sentences about its stamps.
+    pub remarks: Vec<String>,
+}
+
+impl Record {
+    pub fn read(order: &Order) -> Result<Self, Failure> {
+        let source = Source { path: &order.imu, columns: &order.imu_columns, rate_hz: order.rate };
+        let log = Log::read(&source)?;
+        let of = |sensor: Sensor| log.series.iter().filter(move |series| series.sensor == sensor);
+        let columns: Vec<String> =
+            of(Sensor::Gyro).chain(of(Sensor::Accelerometer)).map(|series| series.name.clone()).collect();
+        let (gyros, accels): (Vec<_>, Vec<_>) =
+            (of(Sensor::Gyro).collect(), of(Sensor::Accelerometer).collect());
+        let ([gx, gy, gz], [ax, ay, az]) = (&gyros[..], &accels[..]) else {
+            let what = format!(
+                "expected three columns of gyros and three of accelerometers, found {} and {} ({}); choose them with --imu-columns",
+                gyros.len(),
+                accels.len(),
+                columns.join(", ")
+            );
+            return Err(Failure::of_line(&order.imu, 1, &what));
+        };
+        let sign = if order.reversed { -1.0 } else { 1.0 };
+        let row = |k: usize| RecordedIncrement {
+            time_s: log.times_s[k],
+            interval_s: log.interval_s,
+            increment: Increment {
+                angle: Vector3::new(gx.increments[k], gy.increments[k], gz.increments[k]),
+                velocity: Vector3::new(ax.increments[k], ay.increments[k], az.increments[k]) * sign,
+            },
+        };
+        let mut increments: Vec<RecordedIncrement> = (0..log.count()).map(row).collect();
+        // A row of the same stamp has nothing to say of when it was.
+        increments.dedup_by(|next, before| next.time_s <= before.time_s);
+        Ok(Self { name: log.name, interval_s: log.interval_s, columns, increments, remarks: log.remarks })
+    }
+}
