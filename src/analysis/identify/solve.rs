@@ -134,8 +134,8 @@ fn check_common(path: &IdealPath, blocks: &[Block], offset_s: f64) -> Result<(),
     let common_s = end_s.min(last_s + offset_s) - begin_s.max(first_s + offset_s);
     if common_s < LEAST_COMMON * (end_s - begin_s).min(last_s - first_s) {
         let rule = Rule::Sentence(
-            "seconds that it has in common with the path at the best shift of the clock, less than half of the shorter one: the record is of \
-             another motion, or state the shift",
+            "seconds that the record and the path have in common at the best shift of the clock, less than half of the shorter one: the \
+             record is of another motion, or its shift must be stated",
         );
         return Err(Error::invalid("record.motion", common_s, rule));
     }
