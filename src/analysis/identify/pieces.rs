@@ -15,8 +15,8 @@ const FEWEST_CELLS: usize = 50;
 const OF_ONE: f64 = 0.25;
 /// The least part of the motion that one shift leaves unexplained at such a jump; a smaller jump is found by the fit.
 const MUCH: f64 = 0.02;
-/// A large jump, before any fit: two shifts, one after the other, with which the rates are those of the path, and which leave a part of what
-/// the best single shift leaves.
+/// A large jump, before any fit: two shifts, one after the other, with which the rates are those of the path, and which leave a part of
+/// what the best single shift leaves.
 pub(super) fn large(search: &Search, path: &IdealPath, blocks: &[Block]) -> Result<Option<Jump>, Error> {
     if search.recorded.len() < PARTS * FEWEST_CELLS {
         return Ok(None);
