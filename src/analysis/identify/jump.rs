@@ -58,7 +58,7 @@ impl Jump {
                     *of_sensor = *columns;
                     of_sensor[0] = rest;
                 },
-            );
+            )?;
             Ok::<_, Error>(whites)
         };
         let (before, after) = (on_clock(0.0)?, on_clock(self.change_s)?);
@@ -182,7 +182,7 @@ impl Parts {
                     rest: change * rest,
                 });
             },
-        );
+        )?;
         for (by_parameters, square) in by_sensor.iter().zip(&squares) {
             information += by_parameters * square * by_parameters.transpose();
         }
@@ -244,15 +244,16 @@ fn whitened(
     rows: &Rows,
     shape: impl Fn(&Evidence) -> Shape,
     mut take: impl FnMut(usize, usize, f64, &Columns),
-) {
-    let steps = Steps::new(rows.blocks.iter());
+) -> Result<(), Error> {
+    let steps = Steps::new(&rows.blocks)?;
     for (sensor, one) in fitted.evidences.iter().enumerate() {
         let solved: [f64; COEFFICIENTS] = Place::coefficients(sensor, &fitted.solution.0);
         let scale = 1.0 / one.square.sqrt();
-        steps.whiten(shape(one), &rows.of_sensor[sensor], |row, white| {
+        steps.filter(shape(one))?.whiten(&rows.of_sensor[sensor], |row, white| {
             let white = white.map(|value| value * scale);
             let rest = white[0] - solved.iter().zip(&white[1..]).map(|(c, column)| c * column).sum::<f64>();
             take(rows.places[row], sensor, rest, &white);
         });
     }
+    Ok(())
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::whiten::{COLUMNS, Columns, Shape, Steps};
+use super::whiten::{COLUMNS, Columns, Filter, Shape, Steps};
 use crate::base::error::Error;
 use crate::base::math::{exp, ln};
 use crate::base::memory::room;
@@ -53,8 +53,16 @@ const WALK_STEP: f64 = 3.0;
 const FIRST: f64 = 1.0;
 const MOST_SHAPES: usize = 12;
 
+/// The shapes of the noise that a fit mixes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Shapes {
+    /// One of each sensor.
+    Of([Shape; 6]),
+    All,
+}
+
 /// σ² = N²/τ of white noise is that of flicker noise, 2 ln 2/π B² (IEEE Std 952-1997), and that of the walk, K² τ/3, at the time τ.
-fn shapes(block_s: f64, span_s: f64) -> impl Iterator<Item = Shape> {
+fn grid(block_s: f64, span_s: f64) -> impl Iterator<Item = Shape> {
     let times = move |step: f64| {
         let next = move |time: &f64| Some(time * step).filter(|time| *time <= 2.0 * span_s);
         core::iter::successors(Some(FIRST * block_s), next).take(MOST_SHAPES)
@@ -76,9 +84,9 @@ struct Fit {
 /// The fit of one shape. With whitened data y, columns X and the diagonal S of the wide prior deviations `scale`, the coefficients are
 /// normal with A = I + S XᵀX S/N², mean S A⁻¹ S Xᵀy/N² and covariance S A⁻¹ S. N² is RSS over n less the coefficients that are found, and
 /// the likelihood that of the data, with the coefficients integrated out (restricted likelihood, Patterson and Thompson 1971).
-fn fit(steps: &Steps, rows: &[Columns], shape: Shape, scale: &Coefficients) -> Option<Fit> {
+fn fit(filter: &Filter<'_>, rows: &[Columns], shape: Shape, scale: &Coefficients) -> Option<Fit> {
     let (mut yy, mut xy, mut xx) = (0.0, Coefficients::zeros(), Information::zeros());
-    let logarithms = steps.whiten(shape, rows, |_, white| {
+    filter.whiten(rows, |_, white| {
         yy += white[0] * white[0];
         for i in 0..COEFFICIENTS {
             xy[i] += white[1 + i] * white[0];
@@ -106,25 +114,49 @@ fn fit(steps: &Steps, rows: &[Columns], shape: Shape, scale: &Coefficients) -> O
     let mean = inverse * side / square;
     let rss = yy - 2.0 * mean.dot(&side) + mean.dot(&(scaled * mean)) + square * mean.norm_squared();
     let determinant: f64 = factor.l_dirty().diagonal().iter().map(|value| 2.0 * ln(*value)).sum();
-    let likelihood = -0.5 * (logarithms + n * ln(square) + rss / square + determinant);
+    let likelihood = -0.5 * (filter.logarithms + n * ln(square) + rss / square + determinant);
     let covariance = Information::from_fn(|i, j| scale[i] * inverse[(i, j)] * scale[j]);
     Some(Fit { shape, likelihood, square, mean: mean.component_mul(scale), covariance })
 }
 
-/// The evidence of the rows under all shapes: the mixture of their normal distributions by their likelihoods, as one normal distribution of
-/// the same mean and covariance. So the intervals contain that the noise is itself uncertain.
-pub(super) fn evidence(
+/// The evidence of the rows of each sensor under the shapes.
+pub(super) fn evidences(
     steps: &Steps,
-    rows: &[Columns],
+    rows: &[Vec<Columns>; 6],
     (block_s, span_s): (f64, f64),
-    scale: &Coefficients,
-    only: Option<Shape>,
-) -> Result<Evidence, Error> {
-    let mut fits: Vec<Fit> = room((MOST_SHAPES + 1) * (MOST_SHAPES + 1))?;
-    match only {
-        Some(shape) => fits.extend(fit(steps, rows, shape, scale)),
-        None => fits.extend(shapes(block_s, span_s).filter_map(|shape| fit(steps, rows, shape, scale))),
+    scales: &[Coefficients; 6],
+    shapes: Shapes,
+) -> Result<[Evidence; 6], Error> {
+    let mut fits: [Vec<Fit>; 6] = Default::default();
+    for of_sensor in &mut fits {
+        *of_sensor = room((MOST_SHAPES + 1) * (MOST_SHAPES + 1))?;
     }
+    let mut add = |filter: &Filter<'_>, shape: Shape, sensor: usize| {
+        fits[sensor].extend(fit(filter, &rows[sensor], shape, &scales[sensor]));
+    };
+    match shapes {
+        Shapes::Of(shapes) => {
+            for (sensor, shape) in shapes.into_iter().enumerate() {
+                add(&steps.filter(shape)?, shape, sensor);
+            }
+        }
+        Shapes::All => {
+            for shape in grid(block_s, span_s) {
+                let filter = steps.filter(shape)?;
+                (0..6).for_each(|sensor| add(&filter, shape, sensor));
+            }
+        }
+    }
+    let mut evidences = [Evidence::default(); 6];
+    for (sensor, evidence) in evidences.iter_mut().enumerate() {
+        *evidence = mixture(&fits[sensor], rows[sensor].len(), &scales[sensor])?;
+    }
+    Ok(evidences)
+}
+
+/// The mixture of the normal distributions of the shapes by their likelihoods, as one normal distribution of the same mean and covariance.
+/// So the intervals contain that the noise is itself uncertain.
+fn mixture(fits: &[Fit], count: usize, scale: &Coefficients) -> Result<Evidence, Error> {
     let best = fits.iter().max_by(|a, b| a.likelihood.total_cmp(&b.likelihood));
     let unsolved =
         || Error::bad_state("the record and the path do not determine a fit: their signals are too large");
@@ -150,7 +182,7 @@ pub(super) fn evidence(
     let mut quantity = |of: &dyn Fn(&Fit) -> f64| {
         values.clear();
         values.extend(fits.iter().zip(&weights).map(|(fit, weight)| (of(fit), *weight)));
-        estimate(&mut values, rows.len())
+        estimate(&mut values, count)
     };
     let noise = SensorNoise {
         random_walk: quantity(&|fit| fit.square.sqrt()),

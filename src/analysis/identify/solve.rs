@@ -6,7 +6,7 @@ use super::axes::{Axes, find};
 use super::blocks::{Block, Blocks};
 use super::clock::{KNOWN_S, Search};
 use super::jump::{self, Jump};
-use super::noise::{Coefficients, Evidence, evidence};
+use super::noise::{Coefficients, Evidence, Shapes, evidences};
 use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
 use super::path::IdealPath;
 use super::rows::{About, Rows, coefficients};
@@ -162,7 +162,7 @@ fn fit(
 ) -> Result<Fitted, Error> {
     let prior = request.prior_sigmas();
     let mut about = start;
-    let mut shapes = [None; 6];
+    let mut shapes = Shapes::All;
     for round in 0.. {
         let rows = Rows::new(path, blocks, &about)?;
         if rows.blocks.len() < 50 {
@@ -170,7 +170,7 @@ fn fit(
             return Err(Error::invalid("record.blocks", rows.blocks.len(), rule));
         }
         let is_last = round == ROUNDS;
-        let (solution, evidences) = joint(&rows, request, &prior, &start, &about, &shapes)?;
+        let (solution, evidences) = joint(&rows, request, &prior, &start, &about, shapes)?;
         let (x, _) = solution;
         let turn = Vector3::from_fn(|k, _| x[Place::mounting(k)]);
         let changed = to_block_axes() * x;
@@ -179,7 +179,7 @@ fn fit(
             x[Place::CLOCK].abs() + x[Place::DRIFT].abs() * (blocks[blocks.len() - 1].end_s - about.middle_s);
         if is_last || (round > 0 && clock_s < CLOCK_DONE_S && (turn + common).norm() < MOUNTING_DONE) {
             // The last solution has the noise of all shapes.
-            let (solution, evidences) = joint(&rows, request, &prior, &start, &about, &[None; 6])?;
+            let (solution, evidences) = joint(&rows, request, &prior, &start, &about, Shapes::All)?;
             return Ok(Fitted { rows, solution, evidences, about, prior });
         }
         // No further than the linear range of the fit in one round.
@@ -191,7 +191,7 @@ fn fit(
         about.common += common * part;
         about.offset_s += x[Place::CLOCK].clamp(-2.0, 2.0);
         about.drift += x[Place::DRIFT];
-        shapes = evidences.map(|evidence| Some(evidence.shape));
+        shapes = Shapes::Of(evidences.map(|evidence| evidence.shape));
     }
     Err(Error::bad_state("the fit has no rounds"))
 }
@@ -205,9 +205,9 @@ fn joint(
     prior: &Vector,
     start: &About,
     about: &About,
-    shapes: &[Option<super::whiten::Shape>; 6],
+    shapes: Shapes,
 ) -> Result<(Solution, [Evidence; 6]), Error> {
-    let steps = Steps::new(rows.blocks.iter());
+    let steps = Steps::new(&rows.blocks)?;
     let (first, last) = (rows.blocks[0], rows.blocks[rows.blocks.len() - 1]);
     let span_s = last.end_s - first.start_s;
     let block_s = rows.blocks.iter().map(Block::length_s).sum::<f64>() / rows.blocks.len() as f64;
@@ -226,27 +226,20 @@ fn joint(
     expected[Place::CLOCK] = start.offset_s - about.offset_s;
     expected[Place::DRIFT] = -about.drift;
     let mut vector = information * expected;
-    let mut evidences: [Option<Evidence>; 6] = [None; 6];
-    for (sensor, found) in evidences.iter_mut().enumerate() {
+    let scales = core::array::from_fn(|sensor| {
         let (part, axis) = (sensor / 3, sensor % 3);
         let factor = prior[Place::element(part, axis, (axis + 1) % 3)]
             .max(prior[Place::element(part, axis, axis)])
             .max(request.prior.mounting);
-        let scale = Coefficients::from_column_slice(&[
-            prior[Place::bias(part, axis)],
-            factor,
-            factor,
-            factor,
-            CLOCK_S,
-            DRIFT,
-        ]) * WIDER;
-        let one = evidence(&steps, &rows.of_sensor[sensor], (block_s, span_s), &scale, shapes[sensor])?;
-        let by_parameters = coefficients(part, axis);
+        let bias = prior[Place::bias(part, axis)];
+        Coefficients::from_column_slice(&[bias, factor, factor, factor, CLOCK_S, DRIFT]) * WIDER
+    });
+    let evidences = evidences(&steps, &rows.of_sensor, (block_s, span_s), &scales, shapes)?;
+    for (sensor, one) in evidences.iter().enumerate() {
+        let by_parameters = coefficients(sensor / 3, sensor % 3);
         information += by_parameters.transpose() * one.information * by_parameters;
         vector += by_parameters.transpose() * one.vector;
-        *found = Some(one);
     }
-    let evidences = evidences.map(Option::unwrap_or_default);
     // Scaled by the priors: the information has units of many sizes.
     let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
     let unsolved =

@@ -3,6 +3,8 @@
 use crate::sensors::{FLICKER_PROCESSES, MarkovStep};
 
 use super::blocks::Block;
+use crate::base::error::Error;
+use crate::base::memory::room;
 
 /// Data column and columns of the parameters of one axis.
 pub(super) const COLUMNS: usize = 7;
@@ -39,8 +41,9 @@ pub(super) struct Steps {
 
 impl Steps {
     /// Of these blocks; their memory is that of the blocks some times.
-    pub fn new<'a>(blocks: impl Iterator<Item = &'a Block>) -> Self {
-        let mut steps = Self { of_block: Vec::new(), of_gap: Vec::new(), lengths_s: Vec::new() };
+    pub fn new(blocks: &[Block]) -> Result<Self, Error> {
+        let count = blocks.len();
+        let mut steps = Self { of_block: room(count)?, of_gap: room(count)?, lengths_s: room(count)? };
         for block in blocks {
             let length_s = block.length_s();
             steps.of_block.push(FLICKER_PROCESSES.map(|(time_s, deviation)| {
@@ -60,18 +63,16 @@ impl Steps {
             }));
             steps.lengths_s.push((length_s, block.gap_s));
         }
-        steps
+        Ok(steps)
     }
 
-    /// Gives `take` the rows in order, each over the standard deviation of its innovation for N = 1, so that they are independent with
-    /// the variance N². Returns Σ ln of the variances of the innovations.
+    /// The filter of a shape. It does not depend on the data, so all sensors share it.
     ///
     /// The mean of a block of length T is, with processes x' = -x/τ + white noise ([`MarkovStep`]) and the walk w,
     /// ```text
     /// N n/√T + B Σ σj (∫xj dt)/T + (∫w dt)/T,   w(T) = w + K √T n1,   (∫w dt)/T = w + K √T (n1/2 + n2/√12)
     /// ```
-    /// The columns of the parameters run through the same filter, because it is linear.
-    pub fn whiten(&self, shape: Shape, rows: &[Columns], mut take: impl FnMut(usize, &Columns)) -> f64 {
+    pub fn filter(&self, shape: Shape) -> Result<Filter<'_>, Error> {
         let active = match (shape.flicker > 0.0, shape.walk > 0.0) {
             (true, _) => STATES,
             (false, true) => 1,
@@ -82,12 +83,11 @@ impl Steps {
         for (j, row) in covariance.iter_mut().enumerate().skip(1) {
             row[j] = 1.0;
         }
-        let mut state = [[0.0; COLUMNS]; STATES];
-        let mut logarithms = 0.0;
-        for (place, row) in rows.iter().enumerate() {
-            let (length_s, gap_s) = self.lengths_s[place];
+        let mut filter =
+            Filter { steps: self, active, size, gains: room(self.lengths_s.len())?, logarithms: 0.0 };
+        for (place, &(length_s, gap_s)) in self.lengths_s.iter().enumerate() {
             if gap_s > 0.0 {
-                pass(&self.of_gap[place], shape.walk * gap_s, &mut covariance, &mut state);
+                pass(&self.of_gap[place], shape.walk * gap_s, &mut covariance);
             }
             let processes = &self.of_block[place];
             let walk = (shape.walk * length_s).sqrt();
@@ -103,18 +103,11 @@ impl Steps {
                 along[j] = (0..active).map(|l| covariance[j][l] * step[l].2).sum();
             }
             variance += (0..active).map(|j| step[j].2 * along[j]).sum::<f64>();
-            logarithms += crate::base::math::ln(variance);
-            let mut innovation = *row;
-            for (c, value) in innovation.iter_mut().enumerate() {
-                *value -= (0..active).map(|j| step[j].2 * state[j][c]).sum::<f64>();
-            }
+            filter.logarithms += crate::base::math::ln(variance);
             let mut gain = [0.0; STATES];
             for j in 0..active {
                 let (decay, diffusion, _, shared) = step[j];
                 gain[j] = (decay * along[j] + diffusion * shared) / variance;
-                for (value, new) in state[j].iter_mut().zip(&innovation) {
-                    *value = decay * *value + gain[j] * new;
-                }
             }
             for j in 0..active {
                 for l in 0..=j {
@@ -124,27 +117,66 @@ impl Steps {
                     covariance[l][j] = value;
                 }
             }
-            let scale = 1.0 / variance.sqrt();
+            filter.gains.push((1.0 / variance.sqrt(), gain));
+        }
+        Ok(filter)
+    }
+}
+
+/// The filter of one shape over all blocks.
+pub(super) struct Filter<'a> {
+    steps: &'a Steps,
+    /// States that the shape has, and the size of those of flicker noise.
+    active: usize,
+    size: f64,
+    /// Of each block: 1 over the standard deviation of the innovation, and the gains of the states.
+    gains: Vec<(f64, [f64; STATES])>,
+    /// Σ ln of the variances of the innovations.
+    pub logarithms: f64,
+}
+
+impl Filter<'_> {
+    /// Gives `take` the rows in order, each over the standard deviation of its innovation for N = 1, so that they are independent with
+    /// the variance N². The columns of the parameters run through the same filter as the data, because it is linear.
+    pub fn whiten(&self, rows: &[Columns], mut take: impl FnMut(usize, &Columns)) {
+        let mut state = [[0.0; COLUMNS]; STATES];
+        for (place, (row, (scale, gain))) in rows.iter().zip(&self.gains).enumerate() {
+            let processes = &self.steps.of_block[place];
+            if self.steps.lengths_s[place].1 > 0.0 {
+                for (state, decay) in state[1..].iter_mut().zip(&self.steps.of_gap[place]) {
+                    state.iter_mut().for_each(|value| *value *= decay);
+                }
+            }
+            // The walk does not decay, and its part of the mean is 1.
+            let step = |j: usize| match j {
+                0 => (1.0, 1.0),
+                _ => (processes[j - 1].decay, self.size * processes[j - 1].mean),
+            };
+            let mut innovation = *row;
+            for (j, state) in state.iter().enumerate().take(self.active) {
+                let part = step(j).1;
+                innovation.iter_mut().zip(state).for_each(|(value, state)| *value -= part * state);
+            }
+            for (j, state) in state.iter_mut().enumerate().take(self.active) {
+                let (decay, gain) = (step(j).0, gain[j]);
+                state
+                    .iter_mut()
+                    .zip(&innovation)
+                    .for_each(|(value, new)| *value = decay * *value + gain * new);
+            }
             take(place, &innovation.map(|value| value * scale));
         }
-        logarithms
     }
 }
 
 /// Passes over a gap: the processes decay towards their stationary variance, and the walk goes on.
-fn pass(
-    decays: &[f64; PROCESSES],
-    walk: f64,
-    covariance: &mut [[f64; STATES]; STATES],
-    state: &mut [[f64; COLUMNS]; STATES],
-) {
+fn pass(decays: &[f64; PROCESSES], walk: f64, covariance: &mut [[f64; STATES]; STATES]) {
     let decay = |j: usize| if j == 0 { 1.0 } else { decays[j - 1] };
-    for j in 0..STATES {
-        for (l, value) in covariance[j].iter_mut().enumerate() {
+    for (j, row) in covariance.iter_mut().enumerate() {
+        for (l, value) in row.iter_mut().enumerate() {
             *value *= decay(j) * decay(l);
         }
-        covariance[j][j] += if j == 0 { walk } else { 1.0 - decay(j) * decay(j) };
-        state[j].iter_mut().for_each(|value| *value *= decay(j));
+        row[j] += if j == 0 { walk } else { 1.0 - decay(j) * decay(j) };
     }
 }
 
@@ -193,7 +225,10 @@ mod tests {
         let data = [0.3, -1.0, 0.7, 2.0, -0.4, 0.1];
         let rows: Vec<Columns> = data.iter().map(|y| [*y, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
         let (mut squares, mut mixed) = (0.0, 0.0);
-        let logarithms = Steps::new(blocks.iter()).whiten(shape, &rows, |_, white| {
+        let steps = Steps::new(&blocks).unwrap();
+        let filter = steps.filter(shape).unwrap();
+        let logarithms = filter.logarithms;
+        filter.whiten(&rows, |_, white| {
             squares += white[0] * white[0];
             mixed += white[0] * white[1];
         });
