@@ -13,6 +13,8 @@ use sins::signal::mounting::MountingParameters;
 use sins::truth::flight::Flight;
 use sins::{Options, Simulator, Step};
 
+mod unfit;
+
 use super::support::draws::Draws;
 use super::support::{DEG, G};
 
@@ -214,35 +216,6 @@ fn intervals_hold_clocks_are_found_and_axes_are_told() {
         assert!((0.90..=0.98).contains(&(kind.held / kind.of)), "{name}");
     }
     assert!((0.93..=0.97).contains(&(all.0 / all.1)), "{}", all.0 / all.1);
-}
-
-/// What makes a record unfit is named, with its size.
-#[test]
-fn a_record_that_does_not_fit_is_named() {
-    let aerobatics = flight("aerobatics");
-    let path = path(&aerobatics, MINUTES);
-    let record = Unit::default().record(&aerobatics, MINUTES);
-    let refused = |record: &[RecordedIncrement]| {
-        identify(&path, record, &Request::default())
-            .err()
-            .map_or("accepted".to_owned(), |error| error.to_string())
-    };
-    assert_eq!(refused(&record), "accepted");
-    let changed = |change: &dyn Fn(usize, &mut RecordedIncrement)| {
-        let mut record = record.clone();
-        record.iter_mut().enumerate().for_each(|(row, one)| change(row, one));
-        record
-    };
-    let degrees = changed(&|_, one| one.increment.angle /= DEG);
-    assert!(refused(&degrees).starts_with("record.angle = 57.2"), "{}", refused(&degrees));
-    let in_g = changed(&|_, one| one.increment.velocity /= G);
-    assert!(refused(&in_g).starts_with("record.velocity = 0.10"), "{}", refused(&in_g));
-    let reversed = changed(&|_, one| one.increment.velocity *= -1.0);
-    assert!(refused(&reversed).contains("opposite sign"), "{}", refused(&reversed));
-    let other = Unit::default().record(&flight("commuter"), MINUTES);
-    assert!(refused(&other).contains("of another motion"), "{}", refused(&other));
-    let rest = Unit::default().record(&flight("rest"), MINUTES);
-    assert!(refused(&rest).contains("of another motion"), "{}", refused(&rest));
 }
 
 /// Jumps of less than an interval of the record (0.04 s) up to 40 s, with noise and without, are named with size and time.

@@ -5,6 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::blocks::Block;
 use super::path::{IdealPath, Six};
 use super::prior::Prior;
+use super::unfit::check_number;
 use crate::base::error::{Error, Rule};
 use crate::base::math::hypot;
 use crate::base::memory::room;
@@ -19,8 +20,12 @@ const SIZES: (f64, f64) = (0.7, 1.4);
 /// An exchange is excluded by this chi-square, of a tenth of the blocks: neighbours depend on each other.
 const EXCLUDED: f64 = 50.0;
 const INDEPENDENT: f64 = 0.1;
+/// Signals are left-handed if the best exchange leaves this many times as much as the best one with a reflection.
+const MIRRORED: f64 = 2.0;
 /// Tilt of a block that stands square, for the comparison of the mean forces \[rad\].
 const TILT: f64 = 0.05;
+
+const LEFT_HANDED: &str = "correlation with the path in left-handed axes, which no rotation gives: a sign or the order of these columns is wrong";
 
 /// The signed exchange of axes: signals of the record = `exchange` times those of the path, nearly.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,6 +105,33 @@ impl Sums {
         (self.recorded + self.ideal - 2.0 * self.along(axes)).max(0.0)
     }
 
+    /// The exchange that fits best.
+    fn best(&self) -> Matrix3<f64> {
+        let order = |a: &Matrix3<f64>, b: &Matrix3<f64>| self.along(a).total_cmp(&self.along(b));
+        Axes::exchanges().max_by(order).unwrap_or_else(Matrix3::identity)
+    }
+
+    /// Chi-square of an exchange: the rest over the least one, `least`.
+    fn chi_square(&self, axes: &Matrix3<f64>, least: f64) -> f64 {
+        let least = least.max(self.noise).max(1e-12 * self.ideal);
+        if least > 0.0 { self.rest(axes) / least * (INDEPENDENT * 3.0 * self.count) } else { 0.0 }
+    }
+
+    /// Rejects signals that are those of the path in left-handed axes, and not in right-handed ones. The negative of an exchange without
+    /// reflection is one with a reflection.
+    fn check_hand(&self, field: &'static str) -> Result<(), Error> {
+        let mirrored = -Axes::exchanges()
+            .min_by(|a, b| self.along(a).total_cmp(&self.along(b)))
+            .unwrap_or_else(Matrix3::identity);
+        let (correlation, least) = (self.correlation(&mirrored), self.rest(&mirrored));
+        let of = |axes: &Matrix3<f64>| self.chi_square(axes, least);
+        let (right, left) = (of(&self.best()), of(&mirrored));
+        if correlation > SAME && right > left + EXCLUDED && right > MIRRORED * left {
+            return Err(Error::invalid(field, correlation, Rule::Sentence(LEFT_HANDED)));
+        }
+        Ok(())
+    }
+
     /// The correlation that the noise leaves to the signals of the path.
     fn possible(&self) -> f64 {
         let size = self.ideal + self.noise;
@@ -126,35 +158,29 @@ pub(super) fn find(
     let mut pairs: Vec<(Six, Six)> = room(blocks.len())?;
     let mean = |block: &Block| path.mean(block.start_s + offset_s, block.end_s + offset_s);
     pairs.extend(blocks.iter().filter_map(|block| Some((block.mean, mean(block)?.0))));
-    if pairs.len() < 50 {
-        let rule = Rule::Sentence("the path and the record have less than 50 blocks of time in common");
-        return Err(Error::invalid("record.blocks", pairs.len(), rule));
-    }
+    check_number(pairs.len(), blocks)?;
     let (gyro, accel) = (Sums::new(&pairs, 0), Sums::new(&pairs, 1));
-    let best_of = |sums: &Sums, sign: f64| {
-        let along = |axes: &Matrix3<f64>| sign * sums.along(axes);
-        Axes::exchanges().max_by(|a, b| along(a).total_cmp(&along(b))).unwrap_or_else(Matrix3::identity)
-    };
     // Units first: the rates correlate in any unit.
-    let turned = given.copied().unwrap_or_else(|| best_of(&gyro, 1.0));
+    let turned = given.copied().unwrap_or_else(|| gyro.best());
     let correlation = gyro.correlation(&turned);
+    gyro.check_hand("record.angle")?;
     if correlation > SAME {
         check_size(
             "record.angle",
             gyro.size(&turned),
-            "the rates of the record are those of the path times this: another unit?",
+            "size of the rates of the record over that of the path; 0.7 to 1.4 in the same unit",
         )?;
     }
     let is_moving = gyro.possible() > 0.5 || accel.possible() > 0.5;
     let quality = |sums: &Sums, axes: &Matrix3<f64>| sums.correlation(axes) / sums.possible().max(0.5);
-    let forced = given.copied().unwrap_or_else(|| best_of(&accel, 1.0));
+    let forced = given.copied().unwrap_or_else(|| accel.best());
     // Rates decide where they show the motion: forces of two flights may resemble each other.
     let quality = if gyro.possible() > 0.5 { quality(&gyro, &turned) } else { quality(&accel, &forced) };
     let is_same = quality > OF_POSSIBLE;
     let is_at_rest = gyro.recorded < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
     let other_motion = || {
         let rule = Rule::Sentence(
-            "correlation of its rates with those of the path at the best shift of the clock: the record is of another motion",
+            "correlation of its rates with those of the path at the best shift of the clock: of another motion, or of sensors that are held or beyond their range",
         );
         Error::invalid("record.motion", correlation, rule)
     };
@@ -168,15 +194,12 @@ pub(super) fn find(
     check_size(
         "record.velocity",
         size,
-        "the forces of the record are those of the path times this: another unit?",
+        "size of the forces of the record over that of the path; 0.7 to 1.4 in the same unit",
     )
     .map_err(|error| if is_moving && correlation <= SAME { other_motion() } else { error })?;
 
     // Chi-square of an exchange: the rest over its least value, and the means by the biases that sensors may have.
-    let of = |sums: &Sums, axes: &Matrix3<f64>| {
-        let least = sums.rest(&best_of(sums, 1.0)).max(sums.noise).max(1e-12 * sums.ideal);
-        if least > 0.0 { sums.rest(axes) / least * (INDEPENDENT * 3.0 * sums.count) } else { 0.0 }
-    };
+    let of = |sums: &Sums, axes: &Matrix3<f64>| sums.chi_square(axes, sums.rest(&sums.best()));
     let bias = hypot(TILT * STANDARD_GRAVITY, prior.accel_bias);
     let mean = |axes: &Matrix3<f64>| (accel.means.0 - axes * accel.means.1).norm_squared() / (bias * bias);
     let chi_square = |axes: &Matrix3<f64>| of(&gyro, axes) + of(&accel, axes) + mean(axes);
@@ -187,6 +210,7 @@ pub(super) fn find(
         let rule = Rule::Sentence("along the forces of the path: the specific forces have the opposite sign");
         return Err(Error::invalid("record.velocity", -recorded, rule));
     }
+    accel.check_hand("record.velocity")?;
     if let Some(exchange) = given {
         return Ok(Match { axes: Axes { exchange: *exchange, is_seen: true }, is_moving });
     }

@@ -23,8 +23,11 @@ pub const FEWEST_INCREMENTS: usize = 100;
 const MOST_BLOCKS: f64 = 4096.0;
 const SHORTEST_S: f64 = 0.2;
 
+/// Longest mean interval, in mean steps of the stamps: stamps scatter, and a clock that goes back loses time.
+const LONGEST: f64 = 1.5;
+
 /// Largest signal of a record [rad/s] or [m/s²]: that of the ranges of the sensors.
-const LARGEST: f64 = 1e6;
+pub(super) const LARGEST: f64 = 1e6;
 
 /// Mean of consecutive increments.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,9 +67,19 @@ impl Blocks {
             return Err(Error::invalid("record.count", count, rule));
         }
         check(record)?;
-        let span_s = record[count - 1].time_s - record[0].time_s + record[0].interval_s;
-        let interval_s = record.iter().map(|row| row.interval_s).sum::<f64>() / count as f64;
-        let wanted_s = (span_s / MOST_BLOCKS).max(SHORTEST_S) * (1.0 - 1e-9);
+        let span_s = record[count - 1].time_s - record[0].time_s;
+        let recorded_s = record.iter().map(|row| row.interval_s).sum::<f64>();
+        let interval_s = recorded_s / count as f64;
+        let step_s = span_s / (count - 1) as f64;
+        if interval_s > LONGEST * step_s {
+            let rule = Rule::SentenceWith(
+                "mean length of the intervals [s]: they overlap, because the increments are on average apart by [s]",
+                step_s.into(),
+            );
+            return Err(Error::invalid("record.interval_s", interval_s, rule));
+        }
+        // Of the time with a record, not of its span: a gap may be longer than the record.
+        let wanted_s = (recorded_s / MOST_BLOCKS).max(SHORTEST_S) * (1.0 - 1e-9);
         let mut blocks: Vec<Block> = room(count.min(2 * MOST_BLOCKS as usize))?;
         let mut open: Option<Block> = None;
         let mut length_s = 0.0;
@@ -147,10 +160,25 @@ mod tests {
         assert!(found.blocks.iter().all(|block| (block.length_s() - 0.2).abs() < 1e-9));
     }
 
+    /// The number of blocks is bounded, whatever the stamps and the gaps are, and a long gap leaves the blocks as short as they are.
+    #[test]
+    fn blocks_are_bounded() {
+        for (rows, piece, gap_s) in [(400_000, 400_000, 0.0), (400_000, 37, 1.0), (4000, 1000, 1e9)] {
+            let time_s = |k: usize| 0.01 * k as f64 + (k / piece) as f64 * gap_s;
+            let blocks = Blocks::new(&record(rows, time_s)).unwrap().blocks;
+            assert!(blocks.len() <= 2 * MOST_BLOCKS as usize, "{}", blocks.len());
+            let longest_s = blocks.iter().map(Block::length_s).fold(0.0, f64::max);
+            assert!(longest_s < 0.01 + (0.01 * rows as f64 / MOST_BLOCKS).max(SHORTEST_S), "{longest_s}");
+        }
+    }
+
     #[test]
     fn what_is_no_record_is_named() {
         let error = |record: &[RecordedIncrement]| Blocks::new(record).err().unwrap().to_string();
         assert_eq!(error(&[]), "record.count = 0: must be at least 100");
+        // Stamps in another unit than the intervals, which would make a block of every increment.
+        let fast = record(200, |k| 1e-5 * k as f64);
+        assert!(error(&fast).starts_with("record.interval_s = 0.0"), "{}", error(&fast));
         let back = record(200, |k| if k == 150 { 0.0 } else { 0.01 * k as f64 });
         assert_eq!(error(&back), "record.time_s[150] = 0: must be later than the increment before, at 1.49");
         let mut wild = record(200, |k| 0.01 * k as f64);

@@ -6,7 +6,7 @@ use nalgebra::Matrix3;
 
 use super::blocks::Block;
 use super::path::{IdealPath, Six};
-use crate::base::error::Error;
+use crate::base::error::{Error, Rule};
 use crate::base::memory::{filled, room};
 
 /// Largest number of cells of the record and of the path, and the shortest cell [s].
@@ -16,8 +16,10 @@ const SHORTEST_S: f64 = 0.2;
 const AS_WELL: f64 = 0.9;
 /// The peak of a shift ends where the score falls below this part.
 const PEAK: f64 = 0.5;
-/// Part of a cell between the shifts that are tried in the second round.
+/// Part of a cell between the shifts that are tried in the second round, the largest step between them [s], and most steps to each side.
 const FINE: f64 = 0.125;
+const FINE_S: f64 = 0.25;
+const MOST_STEPS: f64 = 1000.0;
 
 /// A shift that is given is known to this [s].
 pub(super) const KNOWN_S: f64 = 10.0;
@@ -62,14 +64,26 @@ pub(super) struct Search {
 }
 
 impl Search {
-    pub fn new(path: &IdealPath, blocks: &[Block]) -> Result<Self, Error> {
-        let (begin_s, end_s) = path.ends_s()?;
-        let (first_s, last_s) = (blocks[0].start_s, blocks[blocks.len() - 1].end_s);
+    /// With a shift that is known to [`KNOWN_S`], the search is that of the times that path and record have in common at it: cells of a
+    /// long path would be longer than the manoeuvres of a short record.
+    pub fn new(path: &IdealPath, blocks: &[Block], known_s: Option<f64>) -> Result<Self, Error> {
+        let (mut begin_s, mut end_s) = path.ends_s()?;
+        let (mut first_s, mut last_s) = (blocks[0].start_s, blocks[blocks.len() - 1].end_s);
+        if let Some(known_s) = known_s {
+            let of_path = (begin_s - known_s - KNOWN_S, end_s - known_s + KNOWN_S);
+            let of_record = (first_s + known_s - KNOWN_S, last_s + known_s + KNOWN_S);
+            (first_s, last_s) = (first_s.max(of_path.0), last_s.min(of_path.1));
+            (begin_s, end_s) = (begin_s.max(of_record.0), end_s.min(of_record.1));
+            if begin_s >= end_s || first_s >= last_s {
+                let rule = Rule::Sentence("leaves the path and the record no time in common");
+                return Err(Error::invalid("request.offset_s", known_s, rule));
+            }
+        }
         let longest = blocks.iter().map(Block::length_s).fold(0.0, f64::max);
         let cell_s = ((end_s - begin_s).max(last_s - first_s) / MOST_CELLS).max(SHORTEST_S).max(longest);
         let count = |span_s: f64| ((span_s / cell_s) as usize).max(1);
         let mut recorded = filled(count(last_s - first_s), (0.0, Six::zeros()))?;
-        for block in blocks {
+        for block in blocks.iter().filter(|block| block.middle_s() >= first_s) {
             let cell = ((block.middle_s() - first_s) / cell_s) as usize;
             if let Some((weight, sum)) = recorded.get_mut(cell) {
                 *weight += block.length_s();
@@ -191,9 +205,10 @@ impl Search {
 pub(super) fn refine(path: &IdealPath, blocks: &[Block], coarse: Shift, cell_s: f64) -> Result<Shift, Error> {
     let mut best = Shift { score: 0.0, ..coarse };
     let mut pairs: Vec<(Six, Six)> = room(blocks.len())?;
-    let steps = (1.5 / FINE) as i32;
+    let step_s = (FINE * cell_s).min(FINE_S).max(1.5 * cell_s / MOST_STEPS);
+    let steps = (1.5 * cell_s / step_s).round() as i32;
     for step in -steps..=steps {
-        let offset_s = coarse.offset_s + f64::from(step) * FINE * cell_s;
+        let offset_s = coarse.offset_s + f64::from(step) * step_s;
         pairs.clear();
         let mean = |block: &Block| path.mean(block.start_s + offset_s, block.end_s + offset_s);
         pairs.extend(blocks.iter().filter_map(|block| Some((block.mean, mean(block)?.0))));

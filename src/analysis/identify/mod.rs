@@ -33,8 +33,9 @@
 //! - **Priors.** Each parameter has one ([`Prior`]). It is *seen* in the motion if the record narrows its prior to less than a half.
 //!   The rotation that the misalignments of both triads have in common is counted as one of the mounting: the axes of the block are those
 //!   from which the gyros and the accelerometers are turned by opposite angles.
-//! - **Rejected** are a record of another motion, of other units or with reversed forces, one whose clock jumps, and one whose axes or
-//!   shift the motion leaves open.
+//! - **Rejected** are a record of another motion, of other units, with reversed forces or left-handed axes, one whose clock jumps, one
+//!   with a sensor that is stuck or has a spike, one whose parameters contradict the priors, and one whose axes or shift the motion leaves
+//!   open.
 //!
 //! All memory is that of the path and the record, and at most [`MOST_BLOCKS`](blocks) blocks and some; all loops end after a fixed
 //! number of rounds.
@@ -50,6 +51,7 @@ mod pieces;
 mod prior;
 mod rows;
 mod solve;
+mod unfit;
 mod whiten;
 
 pub use axes::Axes;

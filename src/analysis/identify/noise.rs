@@ -158,8 +158,7 @@ pub(super) fn evidences(
 /// So the intervals contain that the noise is itself uncertain.
 fn mixture(fits: &[Fit], count: usize, scale: &Coefficients) -> Result<Evidence, Error> {
     let best = fits.iter().max_by(|a, b| a.likelihood.total_cmp(&b.likelihood));
-    let unsolved =
-        || Error::bad_state("the record and the path do not determine a fit: their signals are too large");
+    let unsolved = || Error::bad_state("the record and the path do not determine a fit");
     let (shape, square, top) =
         best.map(|fit| (fit.shape, fit.square, fit.likelihood)).ok_or_else(unsolved)?;
     let mut weights: Vec<f64> = room(fits.len())?;

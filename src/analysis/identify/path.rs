@@ -2,8 +2,9 @@
 
 use nalgebra::SVector;
 
+use super::blocks::LARGEST;
 use crate::analysis::recommend::{Refusal, fly_looking};
-use crate::base::error::{Error, Rule};
+use crate::base::error::{Error, ErrorKind, Rule, check_range};
 use crate::base::memory::room_for_one_more;
 use crate::signal::Increment;
 use crate::simulator::{Options, Simulator};
@@ -46,14 +47,18 @@ impl IdealPath {
     /// Adds the ideal increment of the interval of length `interval_s` [s] that ends at `time_s` [s]. The first interval begins the path;
     /// each other follows the one before.
     pub fn push(&mut self, time_s: f64, interval_s: f64, ideal: &Increment) -> Result<(), Error> {
+        check_range("path.time_s", time_s, -1e12, 1e12)?;
+        check_range("path.interval_s", interval_s, f64::MIN_POSITIVE, 1e12)?;
+        for (part, value) in six(ideal).iter().enumerate() {
+            let name = if part < 3 { "path.angle" } else { "path.velocity" };
+            check_range(name, value / interval_s, -LARGEST, LARGEST)?;
+        }
         let before = match (self.times_s.last(), self.integrals.last()) {
             (Some(&last_s), Some(sum)) if time_s > last_s => *sum,
             (Some(_), _) => {
-                return Err(Error::invalid(
-                    "path.time_s",
-                    time_s,
-                    Rule::Sentence("must be later than before"),
-                ));
+                let last_s = self.times_s.last().copied().unwrap_or(time_s);
+                let rule = Rule::SentenceWith("must be later than the interval before, at", last_s.into());
+                return Err(Error::of(ErrorKind::TimeOrder, "path.time_s", time_s, rule));
             }
             (None, _) => {
                 room_for_one_more(&mut self.times_s)?;
@@ -133,6 +138,18 @@ mod tests {
         assert!((mean[0] - (integral(1.777) - integral(0.913)) / 0.864).abs() < 1e-13);
         assert!((change[0] - (signal(1.777) - signal(0.913)) / 0.864).abs() < 1e-12);
         assert!(path.mean(-0.1, 1.0).is_none() && path.mean(3.0, 4.2).is_none());
-        assert!(path.push(1.0, 0.1, &Increment::ZERO).is_err());
+        // What is rejected changes nothing.
+        let before = path.clone();
+        let wild = Increment { angle: Vector3::new(f64::NAN, 0.0, 0.0), ..Increment::ZERO };
+        for (time_s, interval_s, ideal, named) in [
+            (1.0, 0.1, Increment::ZERO, "path.time_s = 1: must be later than the interval before, at 3.9"),
+            (f64::NAN, 0.1, Increment::ZERO, "path.time_s = NaN: must be from -1e12 to 1e12"),
+            (5.0, 0.0, Increment::ZERO, "path.interval_s = 0: must be from"),
+            (5.0, 0.1, wild, "path.angle = NaN: must be from -1e6 to 1e6"),
+        ] {
+            let error = path.push(time_s, interval_s, &ideal).unwrap_err().to_string();
+            assert!(error.starts_with(named), "{error}");
+        }
+        assert_eq!(path, before);
     }
 }

@@ -10,6 +10,7 @@ use super::noise::{Coefficients, Evidence, Shapes, evidences};
 use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
 use super::path::IdealPath;
 use super::rows::{About, Rows, coefficients};
+use super::unfit::{check_gaps, check_number, check_priors, check_spikes, check_stuck};
 use super::whiten::Steps;
 use super::{Identified, Request, pieces};
 use crate::base::error::{Error, Rule};
@@ -43,9 +44,15 @@ pub(super) fn identify(
 ) -> Result<Identified, Error> {
     request.validate()?;
     let Blocks { blocks, interval_s } = Blocks::new(record)?;
-    let search = Search::new(path, &blocks)?;
+    check_gaps(path, &blocks)?;
+    let search = Search::new(path, &blocks, request.offset_s)?;
+    check_stuck(&search, &blocks)?;
     if let Some(jump) = pieces::large(&search, path, &blocks)? {
-        return Err(refined(path, &blocks, request, jump).error(&blocks));
+        // Two shifts also fit better than one if the clock drifts: the fit tells.
+        let jump = refined(path, &blocks, request, jump);
+        if jump.is_large(interval_s) {
+            return Err(jump.error(&blocks));
+        }
     }
     let start = begin(path, &blocks, &search, request)?;
     let fitted = fit(path, &blocks, request, start)?;
@@ -55,11 +62,14 @@ pub(super) fn identify(
             return Err(jump.error(&blocks));
         }
     }
+    check_spikes(&fitted)?;
     let (x, covariance) = &fitted.solution;
     let change = to_block_axes();
     let solution = (change * x, change * covariance * change.transpose());
     let noise = fitted.evidences.map(|one| one.noise);
-    Ok(Identified::new(request, &solution, noise, &fitted.about, start.1, &fitted.rows))
+    let found = Identified::new(request, &solution, noise, &fitted.about, start.1, &fitted.rows);
+    check_priors(&found)?;
+    Ok(found)
 }
 
 /// Size and time of a jump by fits of the record without it.
@@ -67,7 +77,7 @@ fn refined(path: &IdealPath, blocks: &[Block], request: &Request, mut jump: Jump
     for _ in 0..JUMP_ROUNDS {
         let better = || {
             let moved = jump.undone(blocks)?;
-            let start = begin(path, &moved, &Search::new(path, &moved)?, request)?;
+            let start = begin(path, &moved, &Search::new(path, &moved, request.offset_s)?, request)?;
             jump.better(path, blocks, &fit(path, &moved, request, start)?)
         };
         match better() {
@@ -165,10 +175,7 @@ fn fit(
     let mut shapes = Shapes::All;
     for round in 0.. {
         let rows = Rows::new(path, blocks, &about)?;
-        if rows.blocks.len() < 50 {
-            let rule = Rule::Sentence("the path and the record have less than 50 blocks of time in common");
-            return Err(Error::invalid("record.blocks", rows.blocks.len(), rule));
-        }
+        check_number(rows.blocks.len(), blocks)?;
         let is_last = round == ROUNDS;
         let (solution, evidences) = joint(&rows, request, &prior, &start, &about, shapes)?;
         let (x, _) = solution;
@@ -242,8 +249,7 @@ fn joint(
     }
     // Scaled by the priors: the information has units of many sizes.
     let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
-    let unsolved =
-        || Error::bad_state("the record and the path do not determine a fit: their signals are too large");
+    let unsolved = || Error::bad_state("the record and the path do not determine a fit");
     let inverse = scaled.cholesky().ok_or_else(unsolved)?.inverse();
     let covariance = Matrix::from_fn(|i, j| prior[i] * inverse[(i, j)] * prior[j]);
     Ok(((covariance * vector, covariance), evidences))

@@ -1,0 +1,104 @@
+//! Records that cannot be identified: each is named with its cause.
+
+use super::*;
+
+/// What `identify` says of a record along aerobatics whose rows are changed.
+fn refused(change: impl Fn(usize, &mut RecordedIncrement)) -> String {
+    let aerobatics = flight("aerobatics");
+    let mut record = Unit::default().record(&aerobatics, MINUTES);
+    record.iter_mut().enumerate().for_each(|(row, one)| change(row, one));
+    let answer = identify(&path(&aerobatics, MINUTES), &record, &Request::default());
+    answer.err().map_or("accepted".to_owned(), |error| error.to_string())
+}
+
+/// What makes a record unfit is named, with its size.
+#[test]
+fn a_record_that_does_not_fit_is_named() {
+    let aerobatics = flight("aerobatics");
+    let path = path(&aerobatics, MINUTES);
+    let record = Unit::default().record(&aerobatics, MINUTES);
+    let refused = |record: &[RecordedIncrement]| {
+        identify(&path, record, &Request::default())
+            .err()
+            .map_or("accepted".to_owned(), |error| error.to_string())
+    };
+    assert_eq!(refused(&record), "accepted");
+    let changed = |change: &dyn Fn(usize, &mut RecordedIncrement)| {
+        let mut record = record.clone();
+        record.iter_mut().enumerate().for_each(|(row, one)| change(row, one));
+        record
+    };
+    let degrees = changed(&|_, one| one.increment.angle /= DEG);
+    assert!(refused(&degrees).starts_with("record.angle = 57.2"), "{}", refused(&degrees));
+    let in_g = changed(&|_, one| one.increment.velocity /= G);
+    assert!(refused(&in_g).starts_with("record.velocity = 0.10"), "{}", refused(&in_g));
+    let reversed = changed(&|_, one| one.increment.velocity *= -1.0);
+    assert!(refused(&reversed).contains("opposite sign"), "{}", refused(&reversed));
+    let other = Unit::default().record(&flight("commuter"), MINUTES);
+    assert!(refused(&other).contains("of another motion"), "{}", refused(&other));
+    let rest = Unit::default().record(&flight("rest"), MINUTES);
+    assert!(refused(&rest).contains("of another motion"), "{}", refused(&rest));
+}
+
+/// The cause is named, and no other one.
+#[test]
+fn faults_of_sensors_and_clocks_are_named() {
+    let faults: [(&str, &dyn Fn(usize, &mut RecordedIncrement)); 12] = [
+        ("record.angle = 0.99", &|_, one| one.increment.angle.y *= -1.0),
+        ("record.angle = 0.99", &|_, one| one.increment.angle *= -1.0),
+        ("record.velocity = 0.99", &|_, one| one.increment.velocity.y *= -1.0),
+        ("record.velocity = 0.99", &|_, one| one.increment.velocity.swap_rows(0, 1)),
+        ("record.angle.z = 0: value of this sensor", &|_, one| one.increment.angle.z = 0.0),
+        ("record.velocity.x = 5", &|_, one| one.increment.velocity.x = 5.0 * one.interval_s),
+        ("record.angle.y = ", &|row, one| one.increment.angle.y += if row == 3000 { 30.0 } else { 0.0 }),
+        ("gyro.scale_factor[2] = 0.3", &|_, one| one.increment.angle.z *= 1.3),
+        ("record.drift = -0.00199", &|_, one| one.time_s *= 1.002),
+        ("record.angle = 1000", &|_, one| one.increment.angle *= 1e3),
+        ("record.velocity = 0.001", &|_, one| one.increment.velocity *= 1e-3),
+        ("record.time_s = 86400", &|row, one| one.time_s += if row > 3000 { 86400.0 } else { 0.0 }),
+    ];
+    let answers: Vec<String> = faults.iter().map(|(_, change)| refused(change)).collect();
+    for ((named, _), answer) in faults.iter().zip(&answers) {
+        assert!(answer.starts_with(named), "{named}: {answers:#?}");
+    }
+    assert!(answers[..4].iter().all(|answer| answer.contains("left-handed axes")), "{answers:#?}");
+    assert!(answers[6].contains("a spike. It is at [s] 120"), "{answers:#?}");
+    // Sensors that are worse than expected are found by a wider prior.
+    let biased = |prior: Prior| {
+        let aerobatics = flight("aerobatics");
+        let gyro = TriadParameters { bias: Vector3::new(0.0, DEG, 0.0), ..Unit::default().gyro };
+        let record = Unit { gyro, ..Default::default() }.record(&aerobatics, MINUTES);
+        identify(&path(&aerobatics, MINUTES), &record, &Request { prior, ..Default::default() })
+    };
+    let error = biased(Prior::of(Grade::Tactical)).unwrap_err().to_string();
+    assert!(error.starts_with("gyro.bias[1] = 0.017"), "{error}");
+    assert!(biased(Prior::of(Grade::Consumer)).is_ok());
+}
+
+/// A record of five minutes is found on the path of 16 hours if its shift is stated, also to some seconds.
+#[test]
+fn a_short_record_is_found_on_a_long_path() {
+    let commuter = flight("commuter");
+    let from_s = 300.0;
+    let unit = Unit { behind_s: 1234.5, ..Default::default() };
+    let record = unit.record(&commuter, (from_s, from_s + 300.0));
+    // Behind the flight is rest.
+    let mut path = path(&commuter, (0.0, 700.0));
+    let still = sins::signal::Increment {
+        velocity: Vector3::new(0.0, 0.0, G * 10.0),
+        ..sins::signal::Increment::ZERO
+    };
+    for k in 1..5700 {
+        path.push(700.0 + 10.0 * f64::from(k), 10.0, &still).unwrap();
+    }
+    for off_s in [0.0, 7.0] {
+        let offset_s = Some(unit.behind_s + off_s);
+        let one = identify(&path, &record, &Request { offset_s, ..Default::default() }).unwrap();
+        assert!((one.offset_s.value - unit.behind_s).abs() < 1e-3, "{off_s}: {:?}", one.offset_s);
+    }
+    let error = identify(&path, &record, &Request { offset_s: Some(1e6), ..Default::default() });
+    assert_eq!(
+        error.unwrap_err().to_string(),
+        "request.offset_s = 1000000: leaves the path and the record no time in common"
+    );
+}
