@@ -11,12 +11,12 @@ use crate::places::beside;
 /// Computes the overlapping Allan deviation of up to six columns of gyros and accelerometers, with 95 % intervals. Fits the
 /// coefficients of quantization Q, random walk N, bias instability B, rate random walk K and ramp R, and prints them as a table.
 ///
-/// The unit of a column is the end of its name. Angular rates: _rad_s, _deg_s, _deg_h; angles over an interval: _rad, _deg, _arcsec;
-/// specific forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s. Without --columns, the command reads all rates and
-/// forces, and the angles and velocities whose name contains "increment" or "delta". Time stamps are in the column time_s, time_ms,
-/// time_us or time_ns, or in one that --columns names. Stamps may scatter; gaps split the record into pieces, whose estimates are joined.
-/// A record in motion is rejected: the mean of a column over a second may change by 1 deg/s or 0.5 m/s2, or by what noise
-/// of the size of its changes from second to second explains.
+/// The unit of a column is the end of its name. Angular rates: _rad_s, _deg_s, _mdeg_s, _deg_h; angles over an interval: _rad, _deg,
+/// _arcsec; specific forces: _m_s2, _g, _mg, _ug; velocities over an interval: _m_s, _mm_s. It may stand in brackets: "gyro x [deg/s]".
+/// Without --columns, the command reads all rates and forces, and the angles and velocities whose name contains "increment" or "delta".
+/// Time stamps are in the column time_s, time_ms, time_us or time_ns, or in one that --columns names. Stamps may scatter; gaps split the
+/// record into pieces, whose estimates are joined. A record in motion is rejected: the mean of a column over a second may change by 1
+/// deg/s or 0.5 m/s2, or by what noise of the size of its changes from second to second explains.
 ///
 /// Neighbouring values of many records depend on each other: behind a low-pass, by averaging, or because a slow sensor's values are
 /// repeated. The averaging times that this reaches are left out of the fit, and named. If the coefficients do not explain the curve, they

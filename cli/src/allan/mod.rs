@@ -35,7 +35,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
     let scene = order.scene.as_ref().map(|path| outputs.file(path, NO_MARK)).transpose()?;
-    let source = Source { path: &order.log, columns: &order.columns, rate_hz: order.rate_hz };
+    let source =
+        Source { path: &order.log, columns: &order.columns, flag: "--columns", rate_hz: order.rate_hz };
     let log = Log { is_still: order.still, ..Log::read(&source)? };
     let analyses = Analysis::of_log(&log)?;
     let drawn = match is_page {

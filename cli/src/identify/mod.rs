@@ -14,13 +14,14 @@ pub use command::Order;
 use sins::Error;
 use sins::analysis::identify::{IdealPath, identify};
 use sins::analysis::recommend::Refusal;
+use sins::units::{DEG, STANDARD_GRAVITY as G};
 
 use crate::failure::Failure;
 use crate::given::{Given, of_sample};
 use crate::output::Outputs;
 use crate::progress::Progress;
 use crate::terminal::{print, quoted};
-use crate::units::rounded;
+use crate::units::{rounded, significant, time_text};
 use crate::written;
 use record::Record;
 
@@ -44,14 +45,14 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         IdealPath::fly(&given.scene.simulator_options(), samples).map_err(refused)?
     };
     let found = identify(&path, &record.increments, &request)
-        .map_err(|error| Failure::of_file(&order.imu, &sentence(&error)))?;
+        .map_err(|error| Failure::of_file(&order.imu, &sentence(&error, &record, order)))?;
     let text = scene::text(order, &given, &found)?;
     file.finish(text)?;
     if order.json {
         return print(&json::text(&record, &found));
     }
     print(&table::text(&given, &record, &found))?;
-    let next = match given.scene.is_log() {
+    let next = match given.scene.is_log() && scene::is_read_plainly(&given) {
         true => format!("`sins ensemble {}` shows how far such an INS drifts on this path", quoted(&output)),
         false => {
             format!("`sins ensemble {} --log LOG.csv` flies these sensors on another path", quoted(&output))
@@ -60,27 +61,72 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     print(&written::text(&[output], Some(&next)))
 }
 
+/// How many times too large or small signals are that were written in another unit, and which.
+const UNITS: [(&str, f64, &str); 12] = [
+    ("record.angle", 1.0 / DEG, "are the rates in deg/s, read as rad/s?"),
+    ("record.angle", DEG, "are the rates in rad/s, read as deg/s?"),
+    ("record.angle", 1e3, "are the rates in thousandths of the unit that was read, as mdps?"),
+    ("record.angle", 1e3 / DEG, "are the rates in mdps, read as rad/s?"),
+    ("record.angle", 1e-3, "are the rates in a unit 1000 times as large as the one that was read?"),
+    ("record.velocity", 1.0 / G, "are the forces in g, read as m/s²?"),
+    ("record.velocity", G, "are the forces in m/s², read as g?"),
+    ("record.velocity", 1e3, "are the forces in thousandths of the unit that was read, as mg?"),
+    ("record.velocity", 1e3 / G, "are the forces in mg, read as m/s²?"),
+    ("record.velocity", 1e-3, "are the forces in a unit 1000 times as large as the one that was read?"),
+    ("record.velocity", 1e6, "are the forces in µg, read as g?"),
+    ("record.velocity", 1e6 / G, "are the forces in µg, read as m/s²?"),
+];
+/// Part by which a size may be off that of the other unit.
+const NEAR: f64 = 0.1;
+
 /// What makes the record unfit, with what was probably meant.
-fn sentence(error: &Error) -> String {
+fn sentence(error: &Error, record: &Record, order: &Order) -> String {
     let value = error.value.map(|value| value.as_f64());
-    let meant = match (error.field, value) {
-        ("record.angle", Some(50.0..65.0)) => "; are the rates in deg/s, read as rad/s?",
-        ("record.angle", Some(0.015..0.02)) => "; are the rates in rad/s, read as deg/s?",
-        ("record.velocity", Some(0.09..0.115)) => "; are the forces in g, read as m/s²?",
-        ("record.velocity", Some(8.5..11.0)) => "; are the forces in m/s², read as g?",
-        ("record.velocity", Some(..0.0)) => "; --reversed reads them with the other sign",
-        ("record.motion", _) => "; is it of the same flight?",
-        ("request.offset_s", _) => " (--shift)",
-        ("request.axes", _) => " (--axes)",
-        _ => "",
+    let read_as = format!(
+        "read as {} of rows at {} Hz",
+        time_text(record.increments.len() as f64 * record.interval_s),
+        significant(1.0 / record.interval_s)
+    );
+    // Another unit than that of all rows is no fault of a row.
+    let is_size = error.index.is_none() && ["record.angle", "record.velocity"].contains(&error.field);
+    let unit = |value: f64| {
+        let is_near = |factor: f64| is_size && (value / factor - 1.0).abs() < NEAR;
+        if is_near(record.interval_s) {
+            return Some("; are these increments, read as rates?".to_owned());
+        }
+        let mut units = UNITS.iter().filter(|(field, factor, _)| *field == error.field && is_near(*factor));
+        units.next().map(|(_, _, words)| format!("; {words}"))
     };
-    let value = value.map(|value| rounded(value, 4));
-    match value {
-        Some(value) => format!(
-            "{} = {value}: {}{meant}",
-            error.field,
-            Error { field: "", value: None, index: None, ..*error }
-        ),
-        None => format!("{error}{meant}"),
-    }
+    let meant = match (error.field, value) {
+        ("record.velocity", Some(..0.0)) if is_size => {
+            "; --reversed reads them with the other sign".to_owned()
+        }
+        ("record.motion", _) => {
+            format!(
+                "; is it of the same flight? It is {read_as}; --shift finds a short record on a long path"
+            )
+        }
+        ("record.blocks" | "record.interval_s" | "record.drift", _) => format!("; it is {read_as}"),
+        ("gyro.bias" | "gyro.scale_factor" | "gyro.misalignment", _)
+        | ("accelerometer.bias" | "accelerometer.scale_factor" | "accelerometer.misalignment", _) => {
+            let wider = if order.prior == "consumer" { "" } else { "; --prior consumer is wider" };
+            wider.to_owned()
+        }
+        ("record.velocity", Some(value)) if is_size && unit(value).is_none() && value < 0.7 => {
+            "; has gravity been taken out, or is a sensor beyond its range?".to_owned()
+        }
+        ("request.offset_s", _) => " (--shift)".to_owned(),
+        ("request.axes", _) => " (--axes)".to_owned(),
+        (_, value) => value.and_then(unit).unwrap_or_default(),
+    };
+    let Some(value) = value.map(|value| rounded(value, 4)) else { return format!("{error}{meant}") };
+    let at = match error.index {
+        Some(row) if error.field.starts_with("record.") => {
+            record.increments.get(row).map_or(String::new(), |row| format!(" at {} s", row.time_s))
+        }
+        Some(index) => format!("[{index}]"),
+        None => String::new(),
+    };
+    let rule = Error { field: "", value: None, index: None, ..*error };
+    format!("{}{at} = {value}: {rule}{meant}", error.field)
 }

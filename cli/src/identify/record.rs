@@ -22,7 +22,12 @@ pub struct Record {
 
 impl Record {
     pub fn read(order: &Order) -> Result<Self, Failure> {
-        let source = Source { path: &order.imu, columns: &order.imu_columns, rate_hz: order.rate };
+        let source = Source {
+            path: &order.imu,
+            columns: &order.imu_columns,
+            flag: "--imu-columns",
+            rate_hz: order.rate,
+        };
         let log = Log::read(&source)?;
         let of = |sensor: Sensor| log.series.iter().filter(move |series| series.sensor == sensor);
         let columns: Vec<String> =

@@ -5,6 +5,7 @@ use std::path::Path;
 use nalgebra::{Rotation3, UnitQuaternion};
 use sins::analysis::identify::Identified;
 use sins::earth::state::BodyAxes;
+use sins::log::LogMapping;
 use sins::math::euler_from_attitude;
 use sins::scene::{FlightSource, Scene};
 use sins::units::DEG;
@@ -46,10 +47,21 @@ pub fn text(order: &Order, given: &Given, found: &Identified) -> Result<String, 
     }
 }
 
+/// Whether a scene that names the log of the path reads it in the same way.
+pub fn is_read_plainly(given: &Given) -> bool {
+    let is_pipe = matches!(&given.scene.flight, FlightSource::Log(file) if file == "-");
+    *given.scene.log == LogMapping::default() && !is_pipe
+}
+
 /// The flight of the path, if another scene can name it.
 fn flight(order: &Order, given: &Given) -> String {
     let truth = Path::new(&order.truth);
     match &given.scene.flight {
+        FlightSource::Log(_) if !is_read_plainly(given) => {
+            "# The log of the path needs the [log] with which it was read: fly these sensors on it by --log and --columns.\n\
+             [flight]\nbuiltin = \"rest\"\n"
+                .to_owned()
+        }
         FlightSource::Log(file) => {
             let path = if given.scene.is_log() && crate::given::is_log(&order.truth) {
                 truth

@@ -14,7 +14,7 @@ pub struct Line {
     pub name: String,
     pub unit: Unit,
     pub estimate: Estimate,
-    /// A motion that shows it.
+    /// A motion that shows it: more than the record has, as less noise would too.
     pub shown_by: String,
 }
 
@@ -76,14 +76,14 @@ fn lines(triad: &TriadEstimate, (bias, bias_unit): (&'static str, Unit), is_forc
         let axis = AXES[axis];
         match is_force {
             true => format!(
-                "tilts by 20° that bring gravity along {axis} and off it, or accelerations along {axis}"
+                "more tilts by 20° that bring gravity along {axis} and off it, or accelerations along {axis}"
             ),
-            false => format!("turns about {axis} in both directions"),
+            false => format!("more turns about {axis} in both directions"),
         }
     };
     for (axis, letter) in AXES.into_iter().enumerate() {
         let shown_by = match is_force {
-            true => format!("turns that point {letter} elsewhere"),
+            true => format!("more turns that point {letter} elsewhere"),
             false => "a longer record".to_owned(),
         };
         let (name, estimate) = (format!("bias {letter}"), triad.bias[axis]);

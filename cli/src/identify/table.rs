@@ -9,6 +9,9 @@ use super::sheet::{AXES, Line, NoiseLine, Sheet, sheets};
 use crate::given::Given;
 use crate::units::{significant, time_text, two_digits};
 
+/// Shift of a clock that is set by that of the path [s].
+const CLOSE_S: f64 = 10.0;
+
 /// The table.
 pub fn text(given: &Given, record: &Record, found: &Identified) -> String {
     let rate = significant(1.0 / record.interval_s);
@@ -53,7 +56,7 @@ pub fn seen(line: &Line) -> String {
     if line.estimate.is_seen() {
         value(&line.estimate, line.unit.si, line.unit.name)
     } else {
-        format!("not seen in this motion; {} would show it", line.shown_by)
+        format!("not seen in this motion and noise; {} would show it", line.shown_by)
     }
 }
 
@@ -76,16 +79,21 @@ fn value(estimate: &Estimate, si: f64, unit: &str) -> String {
 
 fn clock(record: &Record, found: &Identified) -> String {
     if !found.offset_s.is_seen() {
-        return "not seen in this motion, taken for that of the path; turns would show it".to_owned();
+        return "not seen in this motion, taken for that of the path; more turns would show it".to_owned();
     }
-    let samples = significant((found.offset_s.value / record.interval_s).abs());
+    let offset_s = found.offset_s.value.abs();
+    // Of a clock of its own the number of samples says nothing.
+    let (si, unit, samples) = match offset_s < CLOSE_S {
+        true => (1e-3, "ms", format!(" ({} samples)", significant(offset_s / record.interval_s))),
+        false => (1.0, "s", String::new()),
+    };
     let side = if found.offset_s.value < 0.0 { "ahead of" } else { "behind" };
     let drift = match found.drift.is_seen() && found.drift.value.abs() > 1.96 * found.drift.sigma {
         true => format!(", drift {}", value(&found.drift, 1e-6, "ppm")),
         false => String::new(),
     };
-    let shift = Estimate { value: found.offset_s.value.abs(), ..found.offset_s };
-    format!("{} {side} the path ({samples} samples){drift}", value(&shift, 1e-3, "ms"))
+    let shift = Estimate { value: offset_s, ..found.offset_s };
+    format!("{} {side} the path{samples}{drift}", value(&shift, si, unit))
 }
 
 /// The exchange of axes in words.

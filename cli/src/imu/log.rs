@@ -17,6 +17,9 @@ use crate::progress::Progress;
 use crate::table::Table;
 use crate::units::{significant, time_text};
 
+/// Longest step of stamps, in lengths of the rest of the record.
+const JUMP: f64 = 1e6;
+
 /// Scatter of the stamps, as a part of the interval, that is worth a remark.
 const SCATTER: f64 = 0.5;
 
@@ -24,8 +27,9 @@ const SCATTER: f64 = 0.5;
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
     pub path: &'a Path,
-    /// Columns of the command line.
+    /// Columns of the command line, and the argument that names them.
     pub columns: &'a [Wanted],
+    pub flag: &'static str,
     /// Samples a second of the command line.
     pub rate_hz: Option<f64>,
 }
@@ -75,7 +79,8 @@ impl Log {
         let mut columns: Vec<(String, Quantity)> = Vec::new();
         let mut time = None;
         let mut table = Table::read_some(path, input, |names| {
-            columns = choose(names, source.columns).map_err(|failure| Failure::of_line(path, 1, &failure))?;
+            columns = choose(names, source.columns, source.flag)
+                .map_err(|failure| Failure::of_line(path, 1, &failure))?;
             time = quantity::stamps(names, source.columns);
             let names =
                 columns.iter().map(|(name, _)| name.clone()).chain(time.iter().map(|(name, _)| name.clone()));
@@ -92,7 +97,7 @@ impl Log {
             let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", table.rows());
             return Err(Failure::of_file(path, &what));
         }
-        let (stamps, all_s) = stamps(path, &mut table, time.as_ref(), source.rate_hz)?;
+        let (stamps, all_s) = stamps(source, &mut table, time.as_ref())?;
         let times_s = times(&stamps, all_s);
         let interval_s = stamps.interval_s;
         let series = columns.into_iter().map(|(name, quantity)| {
@@ -147,9 +152,7 @@ fn remarks(stamps: &Stamps) -> Vec<String> {
         let percent = 100.0 * used as f64 / *rows as f64;
         let of_them = if used < *rows { format!(" with {percent:.1} % of the rows") } else { String::new() };
         let (name, lost_s) = (if *gaps == 1 { "gap" } else { "gaps" }, time_text(*lost as f64 * *interval_s));
-        remarks.push(format!(
-            "{gaps} {name}, {lost_s} in all: the estimates of {pieces} pieces{of_them} are joined"
-        ));
+        remarks.push(format!("{gaps} {name}, {lost_s} in all: {pieces} pieces{of_them} are joined"));
     }
     if *jitter > SCATTER {
         let jitter = significant(*jitter);
@@ -188,11 +191,11 @@ fn keep(values: &mut Vec<f64>, pieces: &[Range<usize>]) {
 
 /// The equal intervals of --rate, which counts rows, or those of the stamps; rejects stamps that go back.
 fn stamps(
-    path: &Path,
+    source: &Source<'_>,
     table: &mut Table,
     time: Option<&(String, Stamp)>,
-    rate_hz: Option<f64>,
 ) -> Result<(Stamps, Vec<f64>), Failure> {
+    let Source { path, flag, rate_hz, .. } = *source;
     if let Some(rate_hz) = rate_hz {
         let counted = Stamps::counted(table.rows(), 1.0 / rate_hz);
         return Ok((counted, (0..table.rows()).map(|row| row as f64 / rate_hz).collect()));
@@ -200,7 +203,7 @@ fn stamps(
     let Some((name, stamp)) = time else {
         let header = table.header();
         let what = format!(
-            "expected a column \"time_s\" in the header, --rate, or --columns \"NAME=s\"; the header has {header}"
+            "expected a column \"time_s\" in the header, --rate, or {flag} \"NAME=s\"; the header has {header}"
         );
         return Err(Failure::of_line(path, 1, &what));
     };
@@ -222,6 +225,7 @@ fn stamps(
             &format!("column {name}: all stamps are the same (--rate: counts rows)"),
         ));
     }
+    check_jump(path, table, name, &times_s)?;
     let found = stamps::read(&times_s);
     let longest = found.pieces.iter().map(Range::len).max().unwrap_or(0);
     if longest < FEWEST_SAMPLES {
@@ -236,12 +240,29 @@ fn stamps(
     Ok((found, times_s))
 }
 
+/// Rejects a step that is longer than the rest of the record a million times: the interval of such stamps is unknown.
+fn check_jump(path: &Path, table: &Table, name: &str, times_s: &[f64]) -> Result<(), Failure> {
+    let span_s = times_s[times_s.len() - 1] - times_s[0];
+    let steps = times_s.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
+    let Some((row, longest_s)) = steps.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(()) };
+    if longest_s <= JUMP * (span_s - longest_s) {
+        return Ok(());
+    }
+    let what = format!(
+        "column {name}: a stamp of {:.6} s follows one of {:.6} s, and all others are within {}: the clock jumps (--rate: counts rows)",
+        times_s[row + 1],
+        times_s[row],
+        time_text(span_s - longest_s)
+    );
+    Err(Failure::of_line(path, table.line(row + 1), &what))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn source(rate_hz: Option<f64>) -> Source<'static> {
-        Source { path: Path::new("log.csv"), columns: &[], rate_hz }
+        Source { path: Path::new("log.csv"), columns: &[], flag: "--columns", rate_hz }
     }
 
     /// Reads a log with the rows `time(k)`, k.
@@ -275,7 +296,7 @@ mod tests {
         let gap = |k: u32| format!("{:.2}", f64::from(k + if k < 50 { 0 } else { 7 }) * 0.01);
         let log = read("time_s,a_g", None, gap).unwrap();
         assert_eq!((log.pieces, log.series[0].increments.len()), (vec![50, 10], 60));
-        assert_eq!(log.remarks, ["1 gap, 0.1 s in all: the estimates of 2 pieces are joined"]);
+        assert_eq!(log.remarks, ["1 gap, 0.1 s in all: 2 pieces are joined"]);
         // --rate believes the count.
         let log = read("time_s,a_g", Some(100.0), gap).unwrap();
         assert!((log.interval_s, log.count(), log.is_counted, log.pieces) == (0.01, 60, true, vec![60]));
@@ -283,6 +304,13 @@ mod tests {
         assert!(short.contains("2 gaps") && short.contains("has 20 rows (limit 45; --rate 1.000"), "{short}");
         let back = read("time_s,a_g", None, |k| (if k == 30 { 3 } else { k }).to_string()).err().unwrap();
         assert!(back.starts_with("log.csv:32: column time_s") && back.contains("--rate"), "{back}");
+        // A clock that is set while it records.
+        let set = read("time_s,a_g", None, |k| {
+            (0.01 * f64::from(k) + if k < 20 { 0.0 } else { 1.7e9 }).to_string()
+        });
+        let set = set.err().unwrap();
+        assert!(set.starts_with("log.csv:22: column time_s: a stamp of 1700000000.2"), "{set}");
+        assert!(set.contains("follows one of 0.19") && set.contains("the clock jumps (--rate"), "{set}");
         assert!(read("time_s,a_g", None, |_| "4".into()).err().unwrap().contains("all stamps are the same"));
     }
 
@@ -307,7 +335,7 @@ mod tests {
         assert_eq!((log.pieces.len(), log.count()), (100, 5040));
         assert_eq!((log.series[0].increments[49], log.series[0].increments[50]), (1.0, 2.0));
         assert!(
-            log.remarks[0].ends_with("the estimates of 100 pieces with 68.7 % of the rows are joined"),
+            log.remarks[0].ends_with("100 pieces with 68.7 % of the rows are joined"),
             "{:?}",
             log.remarks
         );

@@ -192,8 +192,8 @@ fn by_name(name: &str, recorder: Option<&Recorder>) -> Option<Quantity> {
     in_brackets.or_else(at_end).or_else(|| recorder?.quantity(name))
 }
 
-/// Columns of the header `names` that are analysed.
-pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quantity)>, Failure> {
+/// Columns of the header `names` that are analysed. The argument `flag` of the command line chooses them.
+pub fn choose(names: &[String], wanted: &[Wanted], flag: &str) -> Result<Vec<(String, Quantity)>, Failure> {
     let recorder = Recorder::of(names);
     let wanted_before = |place: usize, name: &str| wanted[..place].iter().any(|before| before.name == name);
     for (place, wanted) in wanted.iter().enumerate() {
@@ -205,11 +205,11 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
             )));
         }
         if wanted_before(place, name) {
-            return Err(Failure::new(format!("--columns: \"{name}\" stands there twice")));
+            return Err(Failure::new(format!("{flag}: \"{name}\" stands there twice")));
         }
         if is_time(name) && stamp(wanted).is_none() && wanted.unit.is_some() {
             return Err(Failure::new(format!(
-                "--columns: \"{name}\" has the times of the rows, which are no output of a sensor; rename it if it has others"
+                "{flag}: \"{name}\" has the times of the rows, which are no output of a sensor; rename it if it has others"
             )));
         }
     }
@@ -235,14 +235,14 @@ pub fn choose(names: &[String], wanted: &[Wanted]) -> Result<Vec<(String, Quanti
         0 => {
             let header = listed(names.iter().map(String::as_str));
             Err(Failure::new(format!(
-                "no name of a column ends with the unit of a rate or force; choose columns with --columns: {header}"
+                "no name of a column ends with the unit of a rate or force; choose columns with {flag}: {header}"
             )))
         }
         count => {
             let names: Vec<&str> = chosen.iter().map(|(name, _)| name.as_str()).collect();
             let names = names.join(", ");
             Err(Failure::new(format!(
-                "expected up to {MOST} columns, found {count}; choose some with --columns: {names}"
+                "expected up to {MOST} columns, found {count}; choose some with {flag}: {names}"
             )))
         }
     }
@@ -274,7 +274,8 @@ mod tests {
         let wanted = wanted
             .iter()
             .map(|(name, unit)| Wanted { name: (*name).to_owned(), unit: unit.map(str::to_owned) });
-        choose(&names(header), &wanted.collect::<Vec<_>>()).map_err(|failure| failure.to_string())
+        choose(&names(header), &wanted.collect::<Vec<_>>(), "--columns")
+            .map_err(|failure| failure.to_string())
     }
 
     #[test]
@@ -347,7 +348,7 @@ mod tests {
         let iso = [Wanted { name: "t".into(), unit: Some("iso".into()) }];
         assert_eq!(stamps(&header, &iso), Some(("t".into(), Stamp::Clock(TimeFormat::Iso))));
         assert_eq!(stamps(&header, &[]), Some(("time_ms".into(), Stamp::Number(1e-3))));
-        assert_eq!(choose(&header, &iso).unwrap()[0].0, "wx_deg_s");
+        assert_eq!(choose(&header, &iso, "--columns").unwrap()[0].0, "wx_deg_s");
         for time in ["time_s", "time_ms", "time_us", "time_ns"] {
             let errors = chosen(&format!("{time},wx"), &[(time, Some("rad_s"))]).unwrap_err();
             assert!(errors.contains(&format!("\"{time}\" has the times of the rows")), "{errors}");

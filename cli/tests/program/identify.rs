@@ -151,9 +151,61 @@ fn unfit_records_are_named() {
     };
     std::fs::write(folder.join("degrees.csv"), scaled(180.0 / std::f64::consts::PI)).unwrap();
     refused("degrees.csv", &[], "are the rates in deg/s, read as rad/s?");
+    std::fs::write(folder.join("mdps.csv"), scaled(1e3 * 180.0 / std::f64::consts::PI)).unwrap();
+    refused("mdps.csv", &[], "are the rates in mdps, read as rad/s?");
+    std::fs::write(folder.join("rates.csv"), scaled(0.02)).unwrap();
+    refused("rates.csv", &[], "are these increments, read as rates?");
+    std::fs::write(folder.join("mirrored.csv"), scaled(-1.0)).unwrap();
+    refused("mirrored.csv", &[], "left-handed axes");
+    // A clock that is set, with its line; a wild row, with its time; a record of the wrong rate, with that as which it is read.
+    let changed = |lines: std::ops::Range<usize>, change: &dyn Fn(&mut Vec<String>)| -> String {
+        let rows = rows.lines().zip(1..).map(|(text, line)| {
+            let mut fields: Vec<String> = text.split(',').map(str::to_owned).collect();
+            if lines.contains(&line) {
+                change(&mut fields);
+            }
+            fields.join(",") + "\n"
+        });
+        rows.collect()
+    };
+    let time = |of: fn(f64) -> f64| {
+        move |fields: &mut Vec<String>| fields[0] = of(fields[0].parse().unwrap()).to_string()
+    };
+    std::fs::write(folder.join("set.csv"), changed(200..usize::MAX, &time(|time| time + 1.7e9))).unwrap();
+    refused("set.csv", &[], "set.csv:200: column time_s: a stamp of 1700000");
+    std::fs::write(folder.join("wild.csv"), changed(500..501, &|fields| fields[4] = "3e6".into())).unwrap();
+    refused("wild.csv", &[], "record.angle at 9.98 s = 150000000: must be from -1000000 to 1000000");
+    std::fs::write(folder.join("fast.csv"), changed(2..usize::MAX, &time(|time| time * 1e-3))).unwrap();
+    refused("fast.csv", &[], "at least 50; it is read as 0.3 s of rows at 50000 Hz");
+    refused(
+        "imu.csv",
+        &["--imu-columns", "time_s=s,time_s=s"],
+        "--imu-columns: \"time_s\" stands there twice",
+    );
     record(&folder, "commuter", &[]);
     refused("imu.csv", &[], "is it of the same flight?");
     refused("imu.csv", &["--prior", "best"], "--prior best: expected");
     refused("none.csv", &[], "none.csv");
     assert!(!folder.join("imu_sensor.toml").exists() && !folder.join("degrees_sensor.toml").exists());
+}
+
+/// A scene names the log of the path only if it reads the log as the path was read.
+#[test]
+fn a_log_that_needs_a_mapping_is_not_flown_without_it() {
+    let folder = folder("mapped");
+    let log = concat!(env!("CARGO_MANIFEST_DIR"), "/../c_examples/flights/fighter_aerobatics.csv");
+    std::fs::copy(log, folder.join("log.csv")).unwrap();
+    let fly = ["fly", "log.csv", "--quiet", "--imu", "imu.csv", "-o", "out", "--set", "options.subsamples=1"];
+    done(&folder, &fly);
+    let said = done(&folder, &["identify", "log.csv", "--imu", "out/imu.csv", "-o", "a.toml"]);
+    assert!(said.contains("drifts on this path"), "{said}");
+    assert!(read(folder.join("a.toml")).contains("[flight]\nfile = \"log.csv\"\n"));
+    let foreign = read(folder.join("log.csv")).replacen("time_s", "t", 1);
+    std::fs::write(folder.join("foreign.csv"), foreign).unwrap();
+    let mapped = ["identify", "foreign.csv", "--imu", "out/imu.csv", "-o", "b.toml", "--set", "log.time=t"];
+    let said = done(&folder, &mapped);
+    assert!(said.contains("flies these sensors on another path"), "{said}");
+    let scene = read(folder.join("b.toml"));
+    assert!(scene.contains("needs the [log]") && !scene.contains("file ="), "{scene}");
+    done(&folder, &["fly", "b.toml", "--quiet", "--set", "flight.hours=0.01", "-o", "b"]);
 }
