@@ -22,6 +22,8 @@ const EXCLUDED: f64 = 50.0;
 const INDEPENDENT: f64 = 0.1;
 /// Signals are left-handed if the best exchange leaves this many times as much as the best one with a reflection.
 const MIRRORED: f64 = 2.0;
+/// Change of a signal that is rounding and no motion, as a part of its mean.
+const ROUNDING: f64 = 1e-9;
 /// Tilt of a block that stands square, for the comparison of the mean forces \[rad\].
 const TILT: f64 = 0.05;
 
@@ -83,6 +85,8 @@ impl Sums {
             .map(|w| (of(&w[0].0) - 2.0 * of(&w[1].0) + of(&w[2].0)).norm_squared())
             .sum::<f64>()
             / 6.0;
+        let rounding = ROUNDING * means.1.norm();
+        sums.noise = sums.noise.max(count * rounding * rounding);
         sums
     }
 

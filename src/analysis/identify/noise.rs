@@ -46,6 +46,9 @@ pub(super) struct Evidence {
     pub square: f64,
 }
 
+/// What a fit is that cannot be solved.
+pub(super) const TOO_EXACT: &str = "the fit cannot be solved: the noise of a sensor is too small beside the priors for the digits of its numbers, as that of a sensor without noise";
+
 /// Neighbours of the grid of shapes: a factor of 4 in the time at which flicker noise equals white noise, and of 3 for the walk.
 const FLICKER_STEP: f64 = 4.0;
 const WALK_STEP: f64 = 3.0;
@@ -158,7 +161,7 @@ pub(super) fn evidences(
 /// So the intervals contain that the noise is itself uncertain.
 fn mixture(fits: &[Fit], count: usize, scale: &Coefficients) -> Result<Evidence, Error> {
     let best = fits.iter().max_by(|a, b| a.likelihood.total_cmp(&b.likelihood));
-    let unsolved = || Error::bad_state("the record and the path do not determine a fit");
+    let unsolved = || Error::bad_state(TOO_EXACT);
     let (shape, square, top) =
         best.map(|fit| (fit.shape, fit.square, fit.likelihood)).ok_or_else(unsolved)?;
     let mut weights: Vec<f64> = room(fits.len())?;

@@ -6,7 +6,7 @@ use super::axes::{Axes, find};
 use super::blocks::{Block, Blocks};
 use super::clock::{KNOWN_S, Search};
 use super::jump::{self, Jump};
-use super::noise::{Coefficients, Evidence, Shapes, evidences};
+use super::noise::{Coefficients, Evidence, Shapes, TOO_EXACT, evidences};
 use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
 use super::path::IdealPath;
 use super::rows::{About, Rows, coefficients};
@@ -249,7 +249,7 @@ fn joint(
     }
     // Scaled by the priors: the information has units of many sizes.
     let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
-    let unsolved = || Error::bad_state("the record and the path do not determine a fit");
+    let unsolved = || Error::bad_state(TOO_EXACT);
     let inverse = scaled.cholesky().ok_or_else(unsolved)?.inverse();
     let covariance = Matrix::from_fn(|i, j| prior[i] * inverse[(i, j)] * prior[j]);
     Ok(((covariance * vector, covariance), evidences))

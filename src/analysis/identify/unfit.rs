@@ -20,9 +20,12 @@ const SENSORS: [&str; 6] = [
     "record.velocity.y",
     "record.velocity.z",
 ];
-/// Change of a sensor that stands still, as a part of its value, and of a path that moves along all axes, as a part of its largest motion.
+/// Change of a sensor that stands still, as a part of its value.
 const STILL: f64 = 1e-12;
+/// Change of a path that moves along all axes, as a part of its largest motion, and root of its sum of squares \[rad/s\] or \[m/s²\]: less
+/// is rounding.
 const MOVES: f64 = 1e-2;
+const LEAST: f64 = 1e-6;
 /// Largest parameter, in standard deviations of its prior.
 const OF_PRIOR: f64 = 8.0;
 /// A block is a spike beyond this number of times the residual that the usual part of the blocks has, and beyond this part of the largest
@@ -68,10 +71,12 @@ pub(super) fn check_stuck(search: &Search, blocks: &[Block]) -> Result<(), Error
     }
     for sensor in (0..6).filter(|sensor| is_still(*sensor)) {
         let part = sensor / 3;
-        let motion =
-            |axis: usize| search.ideal.iter().map(|cell| cell.1[3 * part + axis].powi(2)).sum::<f64>().sqrt();
+        let motion = |axis: usize| {
+            search.ideal.iter().map(|cell| cell.1[3 * part + axis]).map(|u| u * u).sum::<f64>().sqrt()
+        };
         let motions = [motion(0), motion(1), motion(2)];
-        if motions.iter().all(|one| *one > MOVES * motions.into_iter().fold(0.0, f64::max)) {
+        let least = (MOVES * motions.into_iter().fold(0.0, f64::max)).max(LEAST);
+        if motions.iter().all(|one| *one > least) {
             let rule =
                 Rule::Sentence("value of this sensor in the whole record, while the path moves: it is stuck");
             return Err(Error::invalid(SENSORS[sensor], blocks[0].mean[sensor], rule));

@@ -75,6 +75,16 @@ fn faults_of_sensors_and_clocks_are_named() {
     assert!(biased(Prior::of(Grade::Consumer)).is_ok());
 }
 
+/// Of sensors without noise, as perfect ones of this library, no intervals can be found: the record is named.
+#[test]
+fn sensors_without_noise_are_named() {
+    let flight = flight("aerobatics");
+    let (gyro, accel) = (TriadParameters::default(), TriadParameters::default());
+    let record = Unit { gyro, accel, ..Default::default() }.record(&flight, MINUTES);
+    let error = identify(&path(&flight, MINUTES), &record, &Request::default()).unwrap_err().to_string();
+    assert!(error.contains("as that of a sensor without noise"), "{error}");
+}
+
 /// A record of five minutes is found on the path of 16 hours if its shift is stated, also to some seconds.
 #[test]
 fn a_short_record_is_found_on_a_long_path() {
