@@ -195,7 +195,19 @@ fn a_log_that_needs_a_mapping_is_not_flown_without_it() {
     let folder = folder("mapped");
     let log = concat!(env!("CARGO_MANIFEST_DIR"), "/../c_examples/flights/fighter_aerobatics.csv");
     std::fs::copy(log, folder.join("log.csv")).unwrap();
-    let fly = ["fly", "log.csv", "--quiet", "--imu", "imu.csv", "-o", "out", "--set", "options.subsamples=1"];
+    let fly = [
+        "fly",
+        "log.csv",
+        "--preset",
+        "tactical",
+        "--quiet",
+        "--imu",
+        "imu.csv",
+        "-o",
+        "out",
+        "--set",
+        "options.subsamples=1",
+    ];
     done(&folder, &fly);
     let said = done(&folder, &["identify", "log.csv", "--imu", "out/imu.csv", "-o", "a.toml"]);
     assert!(said.contains("drifts on this path"), "{said}");
