@@ -40,10 +40,13 @@ fn a_record_that_does_not_fit_is_named() {
     assert!(refused(&rest).contains("of another motion"), "{}", refused(&rest));
 }
 
+/// The begin of the answer, and what is wrong with a row.
+type Fault<'a> = (&'a str, &'a dyn Fn(usize, &mut RecordedIncrement));
+
 /// The cause is named, and no other one.
 #[test]
 fn faults_of_sensors_and_clocks_are_named() {
-    let faults: [(&str, &dyn Fn(usize, &mut RecordedIncrement)); 12] = [
+    let faults: [Fault<'_>; 12] = [
         ("record.angle = 0.99", &|_, one| one.increment.angle.y *= -1.0),
         ("record.angle = 0.99", &|_, one| one.increment.angle *= -1.0),
         ("record.velocity = 0.99", &|_, one| one.increment.velocity.y *= -1.0),
