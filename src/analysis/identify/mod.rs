@@ -37,7 +37,7 @@
 //!   with a sensor that is stuck or has a spike, one whose parameters contradict the priors, and one whose axes or shift the motion leaves
 //!   open.
 //!
-//! All memory is that of the path and the record, and at most [`MOST_BLOCKS`](blocks) blocks and some; all loops end after a fixed
+//! All memory is that of the path and the record, and at most `MOST_BLOCKS` blocks and some; all loops end after a fixed
 //! number of rounds.
 
 mod axes;
