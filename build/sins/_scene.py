@@ -183,6 +183,8 @@ def _value(name: str, value: Any) -> str:
     if isinstance(value, str):
         return value
     if isinstance(value, Sequence):
+        if value and all(isinstance(row, Sequence) and not isinstance(row, str) for row in value):
+            value = [one for row in value for one in row]  # a matrix, row by row
         return f"[{', '.join(_value(name, one) for one in value)}]"
     return repr(value)
 

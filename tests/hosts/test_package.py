@@ -104,6 +104,16 @@ class Flights(unittest.TestCase):
         np.testing.assert_array_equal(made["temperature_c"], -40)
         self.assertEqual(set(made["flags"]), {c.SAMPLE_NO_VELOCITY | c.SAMPLE_ANGULAR_RATE | c.SAMPLE_SPECIFIC_FORCE | c.SAMPLE_TEMPERATURE})
 
+    def test_a_matrix_is_taken_by_its_rows(self):
+        """Nine numbers, three rows, an array."""
+        nine = [0, 1, 2, 3, 0, 5, 6, 7, 0]
+        rows = [nine[row : row + 3] for row in (0, 3, 6)]
+        flown = [sins.fly("racetrack", hours=0.01, gyro={"misalignment_arcsec": value}) for value in (nine, rows, np.array(rows))]
+        for run in flown[1:]:
+            self.assertTrue((run.records == flown[0].records).all())
+        with self.assertRaisesRegex(sins.Error, "gyro.misalignment_arcsec"):
+            sins.fly("racetrack", hours=0.01, gyro={"misalignment_arcsec": rows[:2]})
+
     def test_times_are_dates_or_lengths_of_time_too(self):
         """With and without a zone, over the end of summer time, as columns and as the index of a table."""
         columns = {"latitude_deg": 48, "longitude_deg": 11, "height_m": 1.0, "roll_rad": 0, "pitch_rad": 0, "heading_rad": 0}
