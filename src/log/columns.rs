@@ -5,12 +5,13 @@ use core::ops::Range;
 use csv::StringRecord;
 
 use super::column::{ColumnFrom, LogColumn};
-use super::guess::{Guess, guess, hemisphere_of, unit_in_name};
+use super::guess::{Guess, guess, hemisphere_of};
 use super::mapping::{LogMapping, TimeFormat};
 use super::quantity::{
     DDMM, FORCE, FORWARD, OF_SAMPLE, Q0, QUANTITIES, RATE, ROLL, SPEED, TEMPERATURE, VARIATION, VELOCITY,
     in_degrees, name, unit_of,
 };
+use super::words::unit_in_name;
 use super::{LogError, fault};
 use crate::base::text::{Fault, excerpt, listed, nearest};
 use crate::base::units::DEG;

@@ -2,9 +2,11 @@
 
 use csv::StringRecord;
 
-use super::guess::{guess, unit};
+use super::guess::guess;
 use super::known::known;
-use super::rows::{cells, is_missing, names_of, number, unmarked};
+use super::lines::{cells, names_of, unmarked};
+use super::rows::{is_missing, number};
+use super::words::unit;
 use super::{MAX_COLUMNS, MAX_LINE, Separator};
 
 /// Lines in which the names are looked for, and rows whose values are looked at.

@@ -14,6 +14,7 @@ mod guess;
 mod hemisphere;
 mod joined;
 mod known;
+mod lines;
 mod mapping;
 mod marks;
 mod nameless;
@@ -26,6 +27,7 @@ pub mod smooth;
 mod smoothed;
 mod survey;
 mod text;
+mod words;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{room, room_for_one_more};

@@ -1,7 +1,8 @@
 //! Formats of flight logs without names, known by the number of their columns and the ranges of their values.
 
 use super::Separator;
-use super::rows::{cells, number};
+use super::lines::cells;
+use super::rows::number;
 use super::survey::Survey;
 
 /// Rows that are looked at, and the fewest of them.

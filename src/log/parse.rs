@@ -4,9 +4,10 @@ use csv::StringRecord;
 
 use super::columns::{columns, only_place, unread};
 use super::foreign::foreign;
+use super::lines::{cells, check_line, names_of, next_row, reader, single_blanks};
 use super::reading::Reading;
 use super::record::Record;
-use super::rows::{Cells, cells, check_line, names_of, next_row, reader, single_blanks};
+use super::rows::Cells;
 use super::text::decoded;
 use super::{ColumnFrom, FlightLog, LogError, LogMapping, MAX_COLUMNS, Separator, fault};
 use crate::base::text::Fault;

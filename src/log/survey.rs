@@ -10,18 +10,15 @@ mod position;
 mod quaternion;
 mod times;
 mod units;
-
-use csv::StringRecord;
+mod vehicles;
 
 use super::grid::Grid;
 use super::guess::{Guess, guess};
 use super::known::{Key, Known, Value, known};
 use super::nameless::{nameless, rtklib};
 use super::quantity::{Dimension, QUANTITIES, unit_of};
-use super::rows::number;
 use super::text::decoded;
 use super::{Clock, LogMapping, Separator, TimeFormat};
-use crate::base::math::hypot;
 use crate::base::text::{MAX_TEXT_VALUE, excerpt, text_in_quotes};
 
 /// What a table has.
@@ -51,28 +48,6 @@ const SLOW_HZ: f64 = 10.0;
 
 /// Fewest different heights that show the steps of a transponder, and rows that show a vehicle.
 const FEW: usize = 5;
-
-/// Names of columns that tell vehicles apart.
-const VEHICLES: [&str; 15] = [
-    "icao24",
-    "icao",
-    "hex",
-    "hexident",
-    "callsign",
-    "registration",
-    "tail",
-    "tailnumber",
-    "aircraft",
-    "aircraftid",
-    "vehicle",
-    "vehicleid",
-    "mmsi",
-    "deviceid",
-    "id",
-];
-
-/// A step of this many of the largest ones of a path is one of the path.
-const NEAR: f64 = 5.0;
 
 /// The quantities of each form of the velocity, and those of the attitude: all of them or none.
 const VELOCITIES: [[&str; 3]; 2] = [["east", "north", "up"], ["speed", "track", "climb"]];
@@ -294,60 +269,6 @@ impl Draft<'_> {
         name.contains("mag") || name.contains("compass") || name == "hdg"
     }
 
-    /// The rows of one vehicle, if a column tells several apart: of the first one that has most.
-    fn only_one(&mut self) {
-        let grid = self.grid;
-        let letters = |name: &str| name.chars().filter(|letter| letter.is_alphanumeric()).collect::<String>();
-        let place_of =
-            |known: &&str| grid.names.iter().position(|name| letters(name).to_lowercase() == *known);
-        let Some(place) = VEHICLES.iter().find_map(place_of) else { return };
-        let mut cells: Vec<&str> = grid.cells(place).collect();
-        cells.sort_unstable();
-        let vehicles: Vec<&[&str]> = cells.chunk_by(|one, other| one == other).collect();
-        let Some(most) = vehicles
-            .iter()
-            .min_by_key(|rows| core::cmp::Reverse(rows.len()))
-            .filter(|most| vehicles.len() > 1 && most.len() > FEW)
-        else {
-            return;
-        };
-        let name = excerpt(&grid.names[place]);
-        if self.is_one_path(place, vehicles.len()) {
-            self.doubt(format!("{name} numbers {} parts of one path: all rows are read", vehicles.len()));
-            return;
-        }
-        let (column, only) = (self.named_or_numbered(place), most[0]);
-        let is_written = only.len() <= MAX_TEXT_VALUE && !only.chars().any(char::is_control);
-        // A key of a text takes no number.
-        if !column.starts_with('"') || !is_written {
-            return;
-        }
-        self.doubt(format!(
-            "{name} has {} vehicles: the rows of {} are read; only = ... takes another",
-            vehicles.len(),
-            excerpt(only)
-        ));
-        self.set("only_column", column);
-        self.set("only", text_in_quotes(only));
-    }
-
-    /// Whether the rows of each of `count` cells of a column follow each other, and the path goes on from one to the next.
-    fn is_one_path(&self, place: usize, count: usize) -> bool {
-        let keys = ["latitude", "longitude"].map(|key| self.place(key));
-        let [Some(latitude), Some(longitude)] = keys else { return false };
-        let value = |row: &StringRecord, place: usize| number(row.get(place)?, self.grid.separator);
-        let rows = self
-            .grid
-            .rows
-            .iter()
-            .filter_map(|row| Some((row.get(place)?, value(row, latitude)?, value(row, longitude)?)));
-        let rows: Vec<(&str, f64, f64)> = rows.collect();
-        let step = |two: &[(&str, f64, f64)]| hypot(two[1].1 - two[0].1, two[1].2 - two[0].2);
-        let (within, between): (Vec<_>, Vec<_>) = rows.windows(2).partition(|two| two[0].0 == two[1].0);
-        let usual = within.iter().map(|two| step(two)).fold(0.0, f64::max);
-        between.len() + 1 == count && between.iter().all(|two| step(two) <= NEAR * usual)
-    }
-
     /// Quantities that come together, those that every flight has, and the repair of what is slow or lacks an attitude.
     fn complete(&mut self) {
         for group in VELOCITIES.into_iter().chain([ATTITUDE]) {
@@ -442,6 +363,8 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
+#[cfg(test)]
+mod attitudes;
 #[cfg(test)]
 mod conventions;
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Heights that the table has not, that state no unit where two are usual, or that are none of a flight.
 
-use super::super::guess::{unit_in_name, words};
 use super::super::quantity::{Dimension, unit_of};
+use super::super::words::{unit_in_name, words};
 use super::{Draft, Question, largest};
 use crate::base::text::excerpt;
 

@@ -1,9 +1,10 @@
 //! Positions that stand in several columns: letters of hemispheres, and minutes apart from their degrees.
 
-use super::super::guess::{hemisphere_of, words};
+use super::super::guess::hemisphere_of;
 use super::super::hemisphere::{Sides, sides, sign_of};
 use super::super::quantity::{LATITUDE, LONGITUDE};
 use super::super::rows::number;
+use super::super::words::words;
 use super::{Draft, Question, largest};
 use crate::base::text::excerpt;
 
