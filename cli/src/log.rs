@@ -188,7 +188,12 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
     Outputs::new(std::slice::from_ref(&order.file), order.force).file(path, mark)?.finish(text)?;
     let doubts: String = found.doubts.iter().map(|doubt| format!("not sure: {doubt}\n")).collect();
     if found.questions.is_empty() {
-        return print(&format!("{}: the columns are {format}\n{doubts}", path.display()));
+        let text = format!("{}: the columns are {format}\n{doubts}", path.display());
+        if order.json.is_wanted {
+            say(text.trim_end());
+            return Ok(());
+        }
+        return print(&text);
     }
     let questions: String = found.questions.iter().map(|question| asked(question, "")).collect();
     let [map, log] = [quoted(path), quoted(&order.file)];

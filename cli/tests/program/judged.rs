@@ -199,6 +199,9 @@ fn findings_are_printed_in_json() {
         done(&folder, &["log", "good.csv", "--json"]),
         "{\"file\":\"good.csv\",\"level\":null,\"findings\":[]}\n"
     );
+    let (code, said, errors) = run(&folder, &["log", "good.csv", "--map", "map.toml", "--json"]);
+    assert_eq!((code, said.as_str()), (0, "{\"file\":\"good.csv\",\"level\":null,\"findings\":[]}\n"));
+    assert!(errors.starts_with("map.toml: the columns are "), "{errors}");
     // Notes of the reader have no kind. A name in quotation marks.
     let file = if cfg!(windows) { "it's.csv" } else { "a \"b\".csv" };
     let named = read(folder.join("good.csv")).replace("velocity_up_m_s", "vu");
