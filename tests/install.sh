@@ -16,7 +16,7 @@ out=$PWD/target/install
 first=$out/first
 moved=$out/moved/elsewhere
 hosts=$out/hosts
-version=$(sed -n '0,/^version/s/^version = "\(.*\)"/\1/p' Cargo.toml)
+version=$(sed -n '/^version = /{s/.*"\(.*\)"/\1/p;q}' Cargo.toml)
 abi=$(sed -n 's/^#define SINS_HEADER_ABI //p' include/sins.h)
 mkdir -p "$out"
 warnings="-O2 -Wall -Wextra -Wpedantic -Werror"

@@ -57,7 +57,7 @@ expect() {
     fi
 }
 
-version=$(sed -n '0,/^version/s/^version = "\(.*\)"/\1/p' Cargo.toml)
+version=$(sed -n '/^version = /{s/.*"\(.*\)"/\1/p;q}' Cargo.toml)
 digest=$(sed -n 's/^ *\(60 s of a turn, digest [0-9a-f]*\)$/\1/p' docs/hosts.md)
 bits=32 other=x86_64-w64-mingw32-gcc
 case $machine in x86_64* | aarch64*) bits=64 other=i686-w64-mingw32-gcc ;; esac

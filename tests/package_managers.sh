@@ -12,7 +12,7 @@ cd "$(dirname "$0")/.."
 managers="deb rpm conan vcpkg"
 out=$PWD/target/package_managers
 hosts=$PWD/tests/install
-version=$(sed -n '0,/^version/s/^version = "\(.*\)"/\1/p' Cargo.toml)
+version=$(sed -n '/^version = /{s/.*"\(.*\)"/\1/p;q}' Cargo.toml)
 abi=$(sed -n 's/^#define SINS_HEADER_ABI //p' include/sins.h)
 bindings=$(sed s,^,share/sins/, cmake/bindings.txt)
 headers=$(cd include && printf 'include/%s\n' *.h *.hpp)

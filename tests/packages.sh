@@ -30,6 +30,11 @@ flies() {
     [ -n "$digests" ] && [ "$found" = "$digests" ] || fail "$*: digests $found, not $digests"
 }
 
+# states WHAT VERSION: checks that a part of a package has the version of the release.
+states() {
+    [ "$2" = "$version" ] || fail "$1: version $2, not $version"
+}
+
 # files FOLDER NAME...: checks that the files of every package and these files exist.
 files() {
     local folder=$1 name page
@@ -55,9 +60,13 @@ files() {
 
 # wheel FOLDER: installs the package for Python from the file in the package, and flies: by the interface in C without numpy, and with it.
 wheel() {
+    local found
     python3 -c 'import ensurepip' 2>/dev/null || install python3-venv
     python3 -m venv "$out/python"
     "$out/python/bin/pip" install --quiet --no-index --no-deps "$1"/share/sins/sins-*.whl
+    found=$("$out/python/bin/python" -c 'import importlib.metadata; print(importlib.metadata.version("sins"))')
+    states "$1: the wheel" "$found"
+    states "$1: sins.__version__" "$("$out/python/bin/python" -c 'import sins; print(sins.__version__)')"
     (cd "$out" && "$out/python/bin/python" -c 'if True:
         from sins import c as sins
         with sins.create(None) as sim:
@@ -133,7 +142,10 @@ linux() {
     flies "${runner[@]}" "$out/digests"
     as_it_stands "$folder" Linux "$2-linux-gnu-"
     as_printed "${runner[@]}" "$host"
-    "${runner[@]}" "$folder/bin/sins" --version
+    states "$folder: sins --version" "$("${runner[@]}" "$folder/bin/sins" --version | sed 's/^sins //')"
+    states "$folder: sins.pc" "$(PKG_CONFIG_PATH=$folder/lib/pkgconfig pkg-config --modversion sins)"
+    states "$folder: sinsConfigVersion.cmake" \
+        "$(sed -nE 's/^set\(PACKAGE_VERSION "(.*)"\)$/\1/p' "$folder/lib/cmake/sins/sinsConfigVersion.cmake")"
     [ "$2" != "$(uname -m)" ] || wheel "$folder"
     echo "$name: $(cat "$out/newest"), exports, digests"
 }
@@ -187,8 +199,16 @@ END
     status=0
     "$wine" "$folder/bin/host.exe" || status=$?
     [ "$status" -eq 41 ] || fail "$folder: a host linked with sins.lib as by MSVC ends with $status"
-    (cd "$folder/bin" && "$wine" loadlibrary.exe && "$wine" sins.exe --version)
+    (cd "$folder/bin" && "$wine" loadlibrary.exe)
+    states "$folder: sins.exe --version" "$(cd "$folder/bin" && "$wine" sins.exe --version | tr -d '\r' | sed 's/^sins //')"
     echo "$name: exports, imports, version, digests by both import libraries"
+}
+
+# fmu: tests/fmu.sh uses the unit.
+fmu() {
+    need unzip unzip
+    states "sins-$version.fmu" "$(unzip -p "$dist/sins-$version.fmu" modelDescription.xml |
+        tr '\n' ' ' | sed -nE 's/.*<fmiModelDescription[^>]* version="([^"]*)".*/\1/p')"
 }
 
 release/package.sh "${packages[@]}"
@@ -205,6 +225,7 @@ for package in "${packages[@]}"; do
             ;;
         windows-x64) windows windows-x64 x86_64 ;;
         windows-x86) windows windows-x86 i686 ;;
+        fmu) fmu ;;
     esac
 done
 

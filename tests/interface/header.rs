@@ -115,13 +115,6 @@ fn exported_symbols_are_exactly_the_interface() {
     assert_eq!(exported, declared);
 }
 
-#[test]
-fn the_version_macros_are_the_packages_version() {
-    use sins::abi::{SINS_VERSION_MAJOR, SINS_VERSION_MINOR, SINS_VERSION_PATCH};
-    let version = format!("{SINS_VERSION_MAJOR}.{SINS_VERSION_MINOR}.{SINS_VERSION_PATCH}");
-    assert_eq!(version, env!("CARGO_PKG_VERSION"));
-}
-
 /// Results have the same bits in every build and on every machine. Therefore no dependency may call the platform's mathematical
 /// functions, with any of its features.
 #[test]

@@ -35,3 +35,4 @@ mod scene_settings;
 mod scene_text;
 #[cfg(feature = "scenes")]
 mod scene_values;
+mod versions;

@@ -16,7 +16,7 @@ string(JSON name GET "${manifest}" name)
 string(JSON version GET "${manifest}" version)
 string(JSON licence GET "${manifest}" license)
 file(STRINGS ${CURRENT_PORT_DIR}/../../../Cargo.toml cargo REGEX "^(version|license) = " LIMIT_COUNT 2)
-if(NOT "${name}" STREQUAL sins OR NOT "version = \"${version}\";license = \"${licence}\"" STREQUAL "${cargo}")
+if(NOT "${name}" STREQUAL sins OR NOT "license = \"${licence}\";version = \"${version}\"" STREQUAL "${cargo}")
     message(FATAL_ERROR "vcpkg.json: ${name} ${version}, ${licence}: not ${cargo} of Cargo.toml")
 endif()
 
