@@ -77,3 +77,25 @@ fn names_of_packages_in_documents_have_the_version() {
     }
     assert!(count > 10, "{count} names");
 }
+
+/// Entries stand under a subject and are short enough to be read as notes of a release.
+#[test]
+fn entries_of_the_changelog_are_short_and_have_a_subject() {
+    let changelog = text("CHANGELOG.md");
+    let (_, releases) = changelog.split_once("\n## ").unwrap();
+    let mut subject = None;
+    let mut count = 0;
+    for line in releases.lines().skip(1).filter(|line| !line.is_empty()) {
+        if let Some(entry) = line.strip_prefix("- ") {
+            assert!(subject.is_some(), "no subject: {entry}");
+            let words = entry.split_whitespace().count();
+            assert!(words <= 60, "{words} words: {entry}");
+            count += 1;
+        } else {
+            let is_heading = line.starts_with("## ") || line.starts_with("### ");
+            assert!(is_heading, "neither an entry nor a heading: {line}");
+            subject = line.strip_prefix("### ");
+        }
+    }
+    assert!(count > 20, "{count} entries");
+}
