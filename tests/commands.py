@@ -56,6 +56,7 @@ ELSEWHERE = {
     "release/package.sh": "tests/packages.sh",
     "release/page.sh ": "tests/web.sh",
     "release/wasm.sh ": "tests/hosts.sh javascript",
+    "tests/reproducible.sh": ".ci/weekly",
     # not on every machine
     "apt-get install ": "tests/hosts.sh installs",
     "cl host.c ": "Visual Studio",

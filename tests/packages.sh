@@ -1,8 +1,6 @@
 #!/usr/bin/env bash
 # Builds packages (release/package.sh, with the same arguments) and uses each like a user: unpacks it into an empty folder, builds
 # examples with it and runs them. Tests that could not run are reported at the end.
-#
-#     REBUILD=1 tests/packages.sh ...     also builds them in another folder from the same commit: must give the same bytes
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -229,12 +227,4 @@ for package in "${packages[@]}"; do
     esac
 done
 
-if [ -n "${REBUILD:-}" ]; then
-    echo "== the same commit in another folder"
-    other=$(mktemp -d)
-    trap 'rm -rf "$other"' EXIT
-    git clone -q . "$other/of another name"
-    "$other/of another name/release/package.sh" "${packages[@]}"
-    (cd "$dist" && cat "$other/of another name/target/dist/SHA256SUMS" | sha256sum --check) || fail "another folder, other bytes"
-fi
 report_not_run
