@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sins import c
-from sins._calls import INTERVALS, in_background
+from sins._calls import INTERVALS, Progress, in_background
 from sins._scene import Flown, Scene, Setting, whole_number
 
 
@@ -58,12 +58,13 @@ def _whole(scene: Scene, most: int) -> Any:
 
 def budget(
     flown: Flown, hours: Optional[float] = None, *, runs: int = 16, position_m: float = 0.0, velocity_m_s: float = 0.0,
-    attitude_rad: float = 0.0, **settings: Setting,
+    attitude_rad: float = 0.0, progress: bool = False, **settings: Setting,
 ) -> Budget:
     """What each effect of the sensors, the start and the mounting contributes to the errors of a flight; flown, hours and settings as in `fly`.
 
     runs: runs with all effects together. position_m and so on: effects whose absence changes the errors by less are marked; 0: no limit.
-    The samples are in memory, 144 bytes each. Failures, updates and the unit of a scene are left out.
+    progress: a line on standard error shows the time that has passed. The samples are in memory, 144 bytes each. Failures, updates and the
+    unit of a scene are left out.
     """
     scene = Scene(flown, hours, settings)
     samples = _whole(scene, 10**9)
@@ -74,7 +75,8 @@ def budget(
         samples["struct_size"][:: INTERVALS // 8] = 1  # each of which ends the call
 
     with c.scene_create_simulator(scene.handle) as sim:
-        written, whole = in_background(lambda: c.error_budget(sim, samples, request, rows), stop)
+        written, whole = in_background(
+            lambda: c.error_budget(sim, samples, request, rows), stop, Progress("flying each effect alone") if progress else None)
     effects = tuple(row.effect.decode() for row in (c.budget_row * written).from_buffer(rows))
     return Budget(effects, rows[:written], whole)
 

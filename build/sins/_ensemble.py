@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from sins import c
-from sins._calls import INTERVALS, in_background
+from sins._calls import INTERVALS, Progress, in_background
 from sins._flight import fly_records, plot_errors
 from sins._scene import Floats, Flown, Scene, Setting, whole_number
 
@@ -128,6 +128,7 @@ def ensemble(
     runs: int = 1000,
     times: int = 200,
     threads: Optional[int] = None,
+    progress: bool = False,
     **settings: Setting,
 ) -> Ensemble:
     """Flies many runs, and returns their errors.
@@ -135,7 +136,8 @@ def ensemble(
     flown, hours and settings as in `fly`. The first run is that of options={"run": ...}, 0 without it; run k has the bits of `fly` with
     this option k. times: about how many times there are errors of, evenly spaced; the start and the end are among them. threads: how many
     runs are flown at once; without it, one for each core. A scene with a unit flies each run with its unit, which costs a single flight
-    for each run. The answer takes 72 bytes for each run and time.
+    for each run. progress: a line on standard error shows which part is flown, and the remaining time. The answer takes 72 bytes for each
+    run and time.
 
     Raises `sins.Error` as `fly`, and ValueError if all runs would be equal, because nothing is random. Warns of runs that diverged.
     """
@@ -149,7 +151,8 @@ def ensemble(
     first_run = c.scene_get_options(scene.handle).run
     fly_all = _with_units if scene.plans("[unit]") else _side_by_side
     stop = threading.Event()
-    time_s, errors = in_background(lambda: fly_all(scene, first_run, runs, every, workers, stop), stop.set)
+    shown = Progress(f"flying {runs} runs", runs * scene.info.count)
+    time_s, errors = in_background(lambda: fly_all(scene, first_run, runs, every, workers, stop, shown), stop.set, shown if progress else None)
     diverged = int(np.isnan(errors[_FIELDS[0]][:, -1, 0]).sum())
     if diverged:
         warnings.warn(f"{diverged} of {runs} runs diverged; their errors are NaN", stacklevel=2)
@@ -161,7 +164,7 @@ def _empty(runs: int, times: int) -> "dict[str, Floats]":
 
 
 def _with_units(
-    scene: Scene, first_run: int, runs: int, every: int, workers: int, stop: threading.Event
+    scene: Scene, first_run: int, runs: int, every: int, workers: int, stop: threading.Event, shown: Progress
 ) -> "Tuple[Floats, dict[str, Floats]]":
     """Each run as a scene in flight."""
     def one(run: int) -> "npt.NDArray[Any]":
@@ -169,7 +172,9 @@ def _with_units(
             return c.array(c.record, 0)  # type: ignore[no-any-return]
         with c.scene_parse(scene.text) as own:
             c.scene_set_values(own, f"options.run = {run}\noutput.every_s = {every * scene.info.period_s!r}")
-            return fly_records(own, scene.log, stop)
+            records = fly_records(own, scene.log, stop)
+        shown.add(scene.info.count)
+        return records
 
     with ThreadPoolExecutor(workers) as pool, _ended_by_errors(stop):
         flown = list(pool.map(one, range(first_run, first_run + runs)))
@@ -181,7 +186,7 @@ def _with_units(
 
 
 def _side_by_side(
-    scene: Scene, first_run: int, runs: int, every: int, workers: int, stop: threading.Event
+    scene: Scene, first_run: int, runs: int, every: int, workers: int, stop: threading.Event, shown: Progress
 ) -> "Tuple[Floats, dict[str, Floats]]":
     """Runs in as many ensembles as there are threads, over the same samples."""
     parts = np.linspace(0, runs, workers + 1).astype(int).tolist()
@@ -194,6 +199,7 @@ def _side_by_side(
 
     def stretch(part: int, begin: int, samples: "npt.NDArray[Any]", at: Optional[int]) -> None:
         fly(scene, made[part], begin, samples, stop)
+        shown.add(len(samples) * (parts[part + 1] - parts[part]))
         if at is None:
             return
         found = c.array(c.errors, parts[part + 1] - parts[part])

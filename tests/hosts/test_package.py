@@ -447,6 +447,25 @@ class Ensembles(unittest.TestCase):
                                            (drawn.misalignment_rad, one.misalignment_rad)):
                         np.testing.assert_array_equal(of_all[run], of_one[at])
 
+    def test_progress_is_shown_if_it_is_asked_for(self):
+        def shown(call):
+            # Each look at the clock is a second later, so a short flight shows lines too.
+            with mock.patch("time.monotonic", mock.Mock(side_effect=range(10**6))), mock.patch("sys.stderr", io.StringIO()) as errors:
+                call()
+            return errors.getvalue()
+
+        flown = {"hours": 0.03, **GRADE}
+        for scene, settings in (("racetrack", {}), (DAY, {"threads": 1})):
+            lines = shown(lambda: sins.ensemble(scene, runs=16, progress=True, **settings, **flown)).split("\r")
+            self.assertEqual(lines[0] + lines[-1] + lines[-2].strip(), "", "the line is gone at the end")
+            parts = [int(re.fullmatch(r"flying 16 runs: (\d+) %(, \d+ s left)?", line.rstrip())[1]) for line in lines[1:-2]]
+            self.assertEqual(parts, sorted(parts))
+            self.assertTrue(any(0 < part < 100 for part in parts), parts)
+        lines = shown(lambda: sins.budget("racetrack", progress=True, **flown)).split("\r")
+        self.assertRegex(lines[1], r"^flying each effect alone, \d+ s$")
+        for quiet in (lambda: sins.ensemble("racetrack", runs=4, **flown), lambda: sins.budget("racetrack", **flown)):
+            self.assertEqual(shown(quiet), "")
+
     def test_diverged_runs_are_nan_and_warned_of(self):
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
