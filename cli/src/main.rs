@@ -195,6 +195,19 @@ mod tests {
     }
 
     #[test]
+    fn the_page_of_scenes_has_all_commands_and_scenes() {
+        let page = include_str!("../../docs/scenes.md");
+        let has_row = |name: &str| page.lines().any(|line| line.starts_with('|') && line.contains(name));
+        for command in CommandLine::command().get_subcommands() {
+            let name = command.get_name();
+            assert!([" ", "`"].iter().any(|end| has_row(&format!("`sins {name}{end}"))), "sins {name}");
+        }
+        for (name, _) in sins::scene::BUILTIN_SCENES {
+            assert!(has_row(&format!("`{name}`")), "{name}");
+        }
+    }
+
+    #[test]
     fn what_was_meant_is_reported() {
         let words = |arguments: &[&str]| {
             read_from(arguments.iter().map(OsString::from)).unwrap_err().render().to_string()

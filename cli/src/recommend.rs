@@ -15,7 +15,7 @@ use crate::given::{Given, SceneArguments};
 use crate::limits::{LimitArguments, of_option};
 use crate::progress::Progress;
 use crate::terminal::{print, quoted};
-use crate::units::{brief_parts, time_text, two_digits};
+use crate::units::{brief_parts, stamp_text, time_text, two_digits};
 
 /// Finds the cheapest options that meet a required accuracy
 ///
@@ -134,7 +134,7 @@ fn pieces(order: &Order, given: &Given) -> Result<Vec<Piece>, Failure> {
     let wrong = |what: &str| {
         let piece = order.piece.map_or_else(String::new, |piece_s| format!(" --piece {piece_s}"));
         let from = order.from;
-        Err(Failure::new(format!("--from {from}{piece}: {what}; it lasts {:.6} s", given.duration_s)))
+        Err(Failure::new(format!("--from {from}{piece}: {what}; it lasts {}", stamp_text(given.duration_s))))
     };
     if !(0.0..=given.duration_s).contains(&order.from) || order.piece.is_some_and(|piece_s| piece_s.is_nan())
     {
@@ -220,11 +220,11 @@ fn turn_products(samples: &[FlightSample; 3]) -> [Vector3<f64>; 2] {
 
 /// What the algorithms were judged by, and whether another part of the scene is harder than a piece that was chosen.
 fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Failure> {
-    let whole_s = given.duration_s;
+    let whole = stamp_text(given.duration_s);
     if pieces.iter().any(|piece| piece.samples.len() == given.count) {
-        return Ok(format!("judged by the whole scene of {whole_s:.6} s"));
+        return Ok(format!("judged by the whole scene of {whole}"));
     }
-    let (first, piece_s) = (&pieces[0], pieces[0].duration_s(given));
+    let (first, piece) = (&pieces[0], stamp_text(pieces[0].duration_s(given)));
     if order.piece.is_some() || order.from > 0.0 && pieces.len() == 1 {
         let own = first.first..first.last() + 1;
         let of_piece = hardest(given, first.first, first.samples.len())?;
@@ -232,18 +232,18 @@ fn judged(given: &Given, order: &Order, pieces: &[Piece]) -> Result<String, Fail
             .into_iter()
             .zip(hardest(given, 0, given.count)?.into_iter().zip(of_piece))
             .filter(|(_, ((value, at), (of_piece, _)))| value > of_piece && !own.contains(at))
-            .map(|(name, ((_, at), _))| format!("a larger {name} at {:.6} s", given.time_s(at)))
+            .map(|(name, ((_, at), _))| format!("a larger {name} at {}", stamp_text(given.time_s(at))))
             .collect::<Vec<_>>();
         let verdict = match harder.is_empty() {
             true => "no other part is harder".to_owned(),
             false => format!("may not hold elsewhere, with {}", harder.join(", ")),
         };
-        let from_s = first.start_s(given);
-        return Ok(format!("judged by {piece_s:.6} s from {from_s:.6} s, of {whole_s:.6} s: {verdict}"));
+        let from = stamp_text(first.start_s(given));
+        return Ok(format!("judged by {piece} from {from}, of {whole}: {verdict}"));
     }
-    let begins: Vec<_> = pieces.iter().map(|piece| format!("{:.6} s", piece.start_s(given))).collect();
+    let begins: Vec<_> = pieces.iter().map(|piece| stamp_text(piece.start_s(given))).collect();
     Ok(format!(
-        "judged by {} of {piece_s:.6} s, at {}, of {whole_s:.6} s: the largest rate, force, vibration and coning",
+        "judged by {} of {piece}, at {}, of {whole}: the largest rate, force, vibration and coning",
         if pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", pieces.len()) },
         begins.join(", ")
     ))
@@ -266,10 +266,10 @@ fn flight_with(given: &Given, rung: &Rung) -> String {
 fn text(given: &Given, answer: &Recommendation, judged: &str) -> String {
     let Motion { rate_max, force_max, vibration_max } = answer.motion;
     let scheme = answer.rung.scheme.word();
-    let since = |time_s: f64| (time_s - given.start_s).max(0.0);
+    let since = |time_s: f64| stamp_text((time_s - given.start_s).max(0.0));
     format!(
         "# {}: {}\n[options]\nscheme = \"{scheme}\"\nsubsamples = {}\nupdates_per_sample = {}\n\n\
-         {judged}\n  largest rate {} deg/s at {:.6} s, specific force {} m/s2 at {:.6} s, vibration {} deg/s2 at {:.6} s\n\
+         {judged}\n  largest rate {} deg/s at {}, specific force {} m/s2 at {}, vibration {} deg/s2 at {}\n\
          error within {}: {}\n  of which uncertainty of the reference: {}\n{} tried\n",
         given.origin,
         given.title,

@@ -159,6 +159,11 @@ fn superscript(number: i32) -> String {
     number.to_string().chars().map(raised).collect()
 }
 
+/// A time to the microsecond, "329.98 s", as an option takes it.
+pub fn stamp_text(seconds: f64) -> String {
+    format!("{} s", (seconds * 1e6).round() / 1e6)
+}
+
 /// A duration as text, "84.4 min".
 pub fn time_text(seconds: f64) -> String {
     let (value, name) = match seconds {

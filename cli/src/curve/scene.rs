@@ -5,6 +5,7 @@ use sins::analysis::recommend::{Growth, Piece, Refusal};
 use sins::truth::{FlightSample, IntakeLimits};
 
 use super::reference::Judge;
+use crate::units::stamp_text;
 
 /// Largest number of instants at which a solution is judged; the last instant is at the end of the scene.
 const INSTANTS: usize = 60;
@@ -77,7 +78,7 @@ impl Pieces {
             return String::new();
         }
         let begins: Vec<String> =
-            self.scenes.iter().map(|scene| format!("{:.6} s", scene.samples[0].time_s)).collect();
+            self.scenes.iter().map(|scene| stamp_text(scene.samples[0].time_s)).collect();
         let (count, piece_s) = (begins.len(), self.scenes[0].duration_s());
         format!(
             "; judged by its {count} hardest pieces of {piece_s} s, at {}, predicted for the whole",

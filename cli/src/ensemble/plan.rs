@@ -9,7 +9,7 @@ use super::command::Order;
 use super::requirement::{Measure, Requirement};
 use crate::failure::Failure;
 use crate::given::Given;
-use crate::units::time_text;
+use crate::units::{stamp_text, time_text};
 
 /// Number of runs of a block, the unit of the checkpoint. The results are the same with any size: merging statistics is exact.
 pub const BLOCK: u64 = 64;
@@ -89,10 +89,10 @@ impl Plan {
         };
         if !(every_s > 0.0 && given.duration_s / every_s < MOST_ROWS as f64) {
             let what = format!(
-                "--every {}: expected at least the sample interval, {:.6} s, and at most {MOST_ROWS} rows, so {:.6} s",
+                "--every {}: expected at least the sample interval, {}, and at most {MOST_ROWS} rows, so {}",
                 order.every.unwrap_or_default(),
-                given.period_s,
-                given.duration_s / MOST_ROWS as f64
+                stamp_text(given.period_s),
+                stamp_text(given.duration_s / MOST_ROWS as f64)
             );
             return Err(Failure::new(what));
         }

@@ -278,10 +278,10 @@ fn a_piece_of_an_uneven_log_is_found_by_its_time_stamps() {
         done(&folder, &[&["recommend", "log.csv", "--position", "1"][..], arguments].concat())
     };
     let rolling = recommend(&["--from", "60", "--piece", "5"]);
-    let verdict = "judged by 5.000000 s from 60.000000 s, of 65.000000 s: no other part is harder\n";
+    let verdict = "judged by 5 s from 60 s, of 65 s: no other part is harder\n";
     assert!(rolling.contains(verdict), "{rolling}");
     let rest = recommend(&["--from", "20", "--piece", "30"]);
-    let verdict = "judged by 30.000000 s from 20.000000 s, of 65.000000 s: may not hold elsewhere, with a larger rate at 6";
+    let verdict = "judged by 30 s from 20 s, of 65 s: may not hold elsewhere, with a larger rate at 6";
     assert!(rest.contains(verdict), "{rest}");
     // So are its records, and the rows of an ensemble.
     let fly = ["fly", "log.csv", "--preset", "tactical", "--set", "output.every_s=5"];
@@ -298,7 +298,7 @@ fn a_piece_of_an_uneven_log_is_found_by_its_time_stamps() {
         "{errors}"
     );
     let errors = rejected(&folder, &["recommend", "log.csv", "--position", "1", "--from", "-5"]);
-    assert_eq!(errors, "--from -5: the piece must begin in the scene; it lasts 65.000000 s\n");
+    assert_eq!(errors, "--from -5: the piece must begin in the scene; it lasts 65 s\n");
 }
 
 #[test]
