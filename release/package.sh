@@ -40,28 +40,6 @@ texts() {
     command install -m644 "$(rustc "+$3" --print sysroot)/share/doc/rust/COPYRIGHT-library.html" "$1/licences/rust-library.html"
 }
 
-# step NAME: prints the time since the start, and what begins.
-step() {
-    printf '%5d s: %s\n' "$SECONDS" "$1"
-}
-
-# archive FOLDER SUFFIX: packs the folder, sorted, with the time of the commit and without a user of this machine as owner.
-archive() {
-    local name=${1##*/}
-    chmod -R u=rwX,go=rX "$1"
-    rm -f "$dist/$name.$2"
-    case $2 in
-        tar.gz)
-            tar -C "${1%/*}" --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --format=gnu -c "$name" |
-                gzip -n9 >"$dist/$name.$2"
-            ;;
-        zip)
-            find "$1" -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
-            (cd "${1%/*}" && find "$name" | LC_ALL=C sort | TZ=UTC zip -qX9 -@ "$dist/$name.$2")
-            ;;
-    esac
-}
-
 # wheel LIBRARY PLATFORM FOLDER: the package for Python with the library.
 wheel() {
     if [ ! -x target/wheel/bin/pip ]; then
@@ -110,7 +88,6 @@ windows() {
     # Lines end as old editors of Windows need it.
     find "$folder" -type f \( -name '*.md' -o -name '*.txt' -o -name '*.cff' -o -name '*.h' -o -name '*.hpp' -o -name '*.c' -o -name '*.cpp' \
         -o -name '*.toml' -o -name 'LICENSE-*' \) -exec sed -i 's/$/\r/' {} +
-    need zip zip
     archive "$folder" zip
 }
 
