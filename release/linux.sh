@@ -29,13 +29,9 @@ CARGO_ENCODED_RUSTFLAGS=$(flags "$(rustup show active-toolchain | cut -d' ' -f1)
 export CARGO_ENCODED_RUSTFLAGS
 export CARGO_PROFILE_RELEASE_DEBUG=line-tables-only # line numbers for the debugger
 cmake -S . -B "$work/build" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR="$1" -DCMAKE_C_COMPILER="$work/cc" \
-    -DCMAKE_INSTALL_LIBDIR=lib
+    -DCMAKE_INSTALL_LIBDIR=lib -DSINS_PROGRAM=ON
 cmake --build "$work/build"
 cmake --install "$work/build" --prefix "$out"
-env "CARGO_TARGET_$(tr a-z- A-Z_ <<<"$target")_LINKER=$work/cc" \
-    cargo rustc --quiet --locked --release --package sins-cli --bin sins --target "$target" \
-        --target-dir "$work/build/cargo"
-command install -D "$work/build/cargo/$target/release/sins" "$out/bin/sins"
 
 # split FILE: moves its debug symbols into a separate file, which debuggers find by a link.
 split() {

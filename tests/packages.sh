@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 . release/build.sh
 
 packages=("$@")
-[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86)
+[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86 fmu)
 warnings="-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"
 dist=target/dist
 out=$PWD/target/packages
@@ -106,6 +106,16 @@ as_printed() {
     [ -n "$expected" ] && [ "$("$@" | tr -d '\r')" = "$expected" ] || fail "$*: not \"$expected\""
 }
 
+# documents FOLDER RUNNER... PROGRAM: each command of the program has a manual page, and its completions are those that it prints.
+documents() {
+    local folder=$1 command
+    shift
+    for command in '' $("$@" --help | sed -nE '/^Commands:/,/^$/s/^  ([a-z]+) .*/-\1/p' | grep -vx -- -help); do
+        gzip -t "$folder/share/man/man1/sins$command.1.gz" || fail "$folder: no manual page of sins${command/-/ }"
+    done
+    "$@" completions bash | diff - "$folder/share/bash-completion/completions/sins" || fail "$folder: other completions"
+}
+
 # linux NAME PROCESSOR RUNNER...
 linux() {
     local name=sins-$version-$1 compiler=$2-linux-gnu-gcc folder=$out/sins-$version-$1 file flags
@@ -141,6 +151,7 @@ linux() {
     as_it_stands "$folder" Linux "$2-linux-gnu-"
     as_printed "${runner[@]}" "$host"
     states "$folder: sins --version" "$("${runner[@]}" "$folder/bin/sins" --version | sed 's/^sins //')"
+    documents "$folder" "${runner[@]}" "$folder/bin/sins"
     states "$folder: sins.pc" "$(PKG_CONFIG_PATH=$folder/lib/pkgconfig pkg-config --modversion sins)"
     states "$folder: sinsConfigVersion.cmake" \
         "$(sed -nE 's/^set\(PACKAGE_VERSION "(.*)"\)$/\1/p' "$folder/lib/cmake/sins/sinsConfigVersion.cmake")"

@@ -24,6 +24,8 @@ mod limits;
 mod lines;
 mod live;
 mod log;
+#[cfg(feature = "manual")]
+mod manual;
 mod output;
 mod parallel;
 #[cfg(test)]
@@ -92,6 +94,10 @@ fn read_from(arguments: impl IntoIterator<Item = OsString>) -> Result<CommandLin
 }
 
 fn main() -> ExitCode {
+    #[cfg(feature = "manual")]
+    if let Some(folder) = manual::folder(std::env::args_os()) {
+        return manual::write::<CommandLine>(&folder);
+    }
     let command = match read_from(std::env::args_os()) {
         Ok(line) => line.command,
         Err(error) => return answer(&error),
