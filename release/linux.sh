@@ -2,9 +2,9 @@
 # Builds library and program for Linux with glibc 2.17 and later, and installs them with CMake into OUT. The debug symbols
 # go to OUT-debug.
 #
-#     release/linux.sh x86_64|aarch64 OUT
+#     release/linux.sh x86_64|i686|aarch64 OUT
 set -euo pipefail
-[ $# -ge 2 ] || { echo "usage: $0 x86_64|aarch64 OUT" >&2; exit 2; }
+[ $# -ge 2 ] || { echo "usage: $0 x86_64|i686|aarch64 OUT" >&2; exit 2; }
 mkdir -p "$2" "$2-debug"
 out=$(cd "$2" && pwd)
 cd "$(dirname "$0")/.."
@@ -13,8 +13,8 @@ cd "$(dirname "$0")/.."
 . release/zig.sh
 
 case $1 in
-    x86_64 | aarch64) target=$1-unknown-linux-gnu ;;
-    *) echo "release/linux.sh: processor $1: must be x86_64 or aarch64" >&2; exit 2 ;;
+    x86_64 | i686 | aarch64) target=$1-unknown-linux-gnu ;;
+    *) echo "release/linux.sh: processor $1: must be x86_64, i686 or aarch64" >&2; exit 2 ;;
 esac
 need cmake cmake
 need make make

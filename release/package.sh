@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
 # Makes packages for machines without Rust in target/dist, with SHA256SUMS. docs/packages.md lists the content of each package.
 #
-#     release/package.sh [linux-x86_64] [linux-arm64] [windows-x64] [windows-x86] [fmu]       default: all five
+#     release/package.sh [linux-x86_64] [linux-i686] [linux-arm64] [windows-x64] [windows-x86] [fmu]       default: all six
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
 . release/build.sh
 
 packages=("$@")
-[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86 fmu)
+[ $# -gt 0 ] || packages=(linux-x86_64 linux-i686 linux-arm64 windows-x64 windows-x86 fmu)
 for package in "${packages[@]}"; do
     case $package in
-        linux-x86_64 | linux-arm64 | windows-x64 | windows-x86 | fmu) ;;
+        linux-x86_64 | linux-i686 | linux-arm64 | windows-x64 | windows-x86 | fmu) ;;
         *)
-            echo "release/package.sh: package $package: must be linux-x86_64, linux-arm64, windows-x64, windows-x86 or fmu" >&2
+            echo "release/package.sh: package $package: must be linux-x86_64, linux-i686, linux-arm64, windows-x64, windows-x86 or fmu" >&2
             exit 2
             ;;
     esac
@@ -102,6 +102,7 @@ for package in "${packages[@]}"; do
     step "$package"
     case $package in
         linux-x86_64) linux linux-x86_64 x86_64 ;;
+        linux-i686) linux linux-i686 i686 ;;
         linux-arm64) linux linux-arm64 aarch64 ;;
         windows-x64) windows windows-x64 x86_64 ;;
         windows-x86) windows windows-x86 i686 ;;

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # To be sourced by the scripts of this folder after need.sh: the C compiler and linker of Linux for an old glibc. Zig has the
 # symbols of every glibc. Other linkers bind to the newest versions of the installed glibc.
 
@@ -15,13 +16,15 @@ fi
 # their archives have the order in which its threads were ready. After a link that made such parts, the parts are stripped and
 # sorted, and the program is linked again. Only one link runs at a time, because all links share the parts.
 zig_cc() {
+    local processor=$1
+    [ "$1" != i686 ] || processor=x86 # the name that Zig has for it
     rm -rf "$2-parts"
     touch -d @0 "$2-sorted"
     cat >"$2" <<CC
 #!/bin/bash
 set -euo pipefail
 export LC_ALL=C PATH="$tools/bin:\$PATH" ZIG_GLOBAL_CACHE_DIR="$2-parts"
-link() { "$tools/bin/cargo-zigbuild" zig cc -- -target $1-linux-gnu.$glibc "\$@"; }
+link() { "$tools/bin/cargo-zigbuild" zig cc -- -target $processor-linux-gnu.$glibc "\$@"; }
 exec 9>"$2-lock"
 flock 9
 link "\$@"

@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 . release/build.sh
 
 packages=("$@")
-[ $# -gt 0 ] || packages=(linux-x86_64 linux-arm64 windows-x64 windows-x86 fmu)
+[ $# -gt 0 ] || packages=(linux-x86_64 linux-i686 linux-arm64 windows-x64 windows-x86 fmu)
 warnings="-std=c99 -O2 -Wall -Wextra -Wpedantic -Werror"
 dist=target/dist
 out=$PWD/target/packages
@@ -226,6 +226,12 @@ for package in "${packages[@]}"; do
     echo "== $package"
     case $package in
         linux-x86_64) linux linux-x86_64 x86_64 env ;;
+        linux-i686)
+            need g++-i686-linux-gnu i686-linux-gnu-g++
+            need libc6-dev-i386-cross /usr/i686-linux-gnu/lib/libc.so
+            need qemu-user qemu-i386
+            linux linux-i686 i686 qemu-i386 -L /usr/i686-linux-gnu
+            ;;
         linux-arm64)
             need g++-aarch64-linux-gnu aarch64-linux-gnu-g++
             need libc6-dev-arm64-cross /usr/aarch64-linux-gnu/lib/libc.so
