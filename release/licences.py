@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Prints the licences of all crates in packages of this workspace, for one target or for "all".
+"""Prints the licences of all crates in packages of this workspace, for these targets or for "all".
 Without PACKAGE: the licences of the library and the program.
 
-    release/licences.py TARGET|all [PACKAGE...] >LICENCES.txt
+    release/licences.py TARGET[,TARGET...]|all [PACKAGE...] >LICENCES.txt
 
 cargo-about is not used, because it takes longer to compile than everything else here.
 """
@@ -19,7 +19,7 @@ def crates(target, own):
     """Crates that are linked: without those of build scripts and tests, and without macros and the crates that only they need."""
     command = ["cargo", "metadata", "--locked", "--format-version", "1"]
     if target != "all":
-        command += ["--filter-platform", target]
+        command += [word for one in target.split(",") for word in ("--filter-platform", one)]
     metadata = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
     packages = {package["id"]: package for package in metadata["packages"]}
     nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
