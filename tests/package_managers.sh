@@ -9,6 +9,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
+. tests/support/debian.sh
 managers="deb rpm conan vcpkg"
 out=$PWD/target/package_managers
 hosts=$PWD/tests/install
@@ -63,7 +64,6 @@ development() {
 
 deb() {
     local root=$out/debian multiarch tree=$out/deb/tree
-    need debootstrap /usr/sbin/debootstrap
     need lintian lintian
     need dpkg-dev dpkg-shlibdeps
     export DEBFULLNAME=${DEBFULLNAME:-The sins developers} DEBEMAIL=${DEBEMAIL:-sins@debian.org} # lintian wants an address
@@ -79,23 +79,18 @@ $(printf '%s\n' share/doc/libsins-dev/{changelog.Debian.gz,changelog.gz,copyrigh
     found "$tree"
 
     # A Debian of this machine's release. Its compiler builds the host.
-    if ! [ -e "$root/ready" ]; then
-        as_root rm -rf "$root"
-        as_root debootstrap --variant=minbase --include=gcc,libc6-dev,pkgconf "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$root" \
-            >"$out/debootstrap.log" || { tail "$out/debootstrap.log"; could_not "Debian's packages in a new Debian" "debootstrap failed"; return 0; }
-        as_root touch "$root/ready"
-    fi
-    inside 'dpkg --purge libsins-dev libsins1 2>/dev/null; rm -rf /packages' # of a test that failed
+    debian "$root" || { could_not "Debian's packages in a new Debian" "debootstrap failed"; return 0; }
+    inside "$root" 'dpkg --purge libsins-dev libsins1 2>/dev/null; rm -rf /packages' # of a test that failed
     as_root mkdir "$root/packages"
     as_root cp "$out"/deb/*.deb c_examples/minimal.c "$root/packages"
     files "$root" >"$out/before"
-    inside 'cd /packages && apt-get install -qq -y -o Dpkg::Use-Pty=0 ./libsins1_*.deb ./libsins-dev_*.deb </dev/null'
-    inside "ldconfig -p" | grep "libsins.so.$abi" >/dev/null || fail "the loader does not know libsins.so.$abi"
-    inside 'cd /packages && cc minimal.c -o shared $(pkg-config --cflags --libs sins) -lm && ./shared' | diff "$out/minimal.txt" -
-    inside 'cd /packages && cc minimal.c -o static -static $(pkg-config --static --cflags --libs sins) 2>/dev/null && ./static' | diff "$out/minimal.txt" -
-    inside 'apt-get purge -qq -y -o Dpkg::Use-Pty=0 libsins-dev libsins1 </dev/null && rm /packages/shared /packages/static'
+    inside "$root" 'cd /packages && apt-get install -qq -y -o Dpkg::Use-Pty=0 ./libsins1_*.deb ./libsins-dev_*.deb </dev/null'
+    inside "$root" "ldconfig -p" | grep "libsins.so.$abi" >/dev/null || fail "the loader does not know libsins.so.$abi"
+    inside "$root" 'cd /packages && cc minimal.c -o shared $(pkg-config --cflags --libs sins) -lm && ./shared' | diff "$out/minimal.txt" -
+    inside "$root" 'cd /packages && cc minimal.c -o static -static $(pkg-config --static --cflags --libs sins) 2>/dev/null && ./static' | diff "$out/minimal.txt" -
+    inside "$root" 'apt-get purge -qq -y -o Dpkg::Use-Pty=0 libsins-dev libsins1 </dev/null && rm /packages/shared /packages/static'
     files "$root" | diff "$out/before" - || fail "the removal leaves files"
-    ! inside "ldconfig -p" | grep sins || fail "the loader still knows a library"
+    ! inside "$root" "ldconfig -p" | grep sins || fail "the loader still knows a library"
     echo "deb: $(cd "$out/deb" && echo *.deb): installed, used and removed in a new Debian; lintian has no errors"
 }
 
@@ -108,11 +103,6 @@ contents() {
 files() {
     (cd "$1" && as_root find . -xdev \( -path ./proc -o -path ./sys -o -path ./var/log -o -path ./var/cache -o -path ./var/lib/apt \
         -o -path ./var/lib/dpkg \) -prune -o -print | LC_ALL=C sort)
-}
-
-# inside COMMAND: a command of the shell in the new Debian.
-inside() {
-    as_root env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C chroot "$root" sh -ec "$1"
 }
 
 rpm() {
