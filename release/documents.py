@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Fits the documents of the source tree to a package: release/documents.py FOLDER.
+"""Fits the documents of the source tree to a package, or to the site: release/documents.py [--site] FOLDER.
 
-A link to a file that the package does not contain becomes its text alone. README.md says where a user of the package begins.
+A link to a file that is not in FOLDER becomes its text alone, and in the site one to a folder too. README.md of a package says where its user
+begins.
 """
 import pathlib
 import re
@@ -17,16 +18,18 @@ NOTE = (
 def fitted(page):
     def link(match):
         text, target, _ = match.groups()
-        is_there = "://" in target or (page.parent / target).exists()
+        file = page.parent / target
+        is_there = "://" in target or (file.is_file() if is_site else file.exists())
         return match[0] if is_there else text
 
     return LINK.sub(link, page.read_text(encoding="utf-8"))
 
 
-folder = pathlib.Path(sys.argv[1])
+is_site = sys.argv[1] == "--site"
+folder = pathlib.Path(sys.argv[-1])
 for page in sorted(folder.rglob("*.md")):
     text = fitted(page)
-    if page == folder / "README.md":
+    if page == folder / "README.md" and not is_site:
         title, rest = text.split("\n", 1)
         text = f"{title}\n\n{NOTE}\n{rest}"
     page.write_text(text, encoding="utf-8", newline="\n")
