@@ -2,7 +2,7 @@
 
 use super::{Known, column, word};
 
-pub const RECORDERS: [Known; 9] = [
+pub const RECORDERS: [Known; 11] = [
     Known {
         name: "DJI flight record (OSD)",
         columns: &["OSD.flyTime [s]", "OSD.latitude", "OSD.longitude"],
@@ -155,5 +155,36 @@ pub const RECORDERS: [Known; 9] = [
             column("variation", "wander_angle").unit("rad"),
         ],
         doubt: "the heading is taken as the sum of platform_heading and wander_angle; x_vel, y_vel and z_vel are those of wander axes, and are not read",
+    },
+    Known {
+        name: "Litchi",
+        columns: &["time(millisecond)", "altitude(m)", "velocityX(mps)", "yaw(deg)"],
+        keys: &[
+            column("time", "time(millisecond)").unit("ms"),
+            column("latitude", "latitude"),
+            column("longitude", "longitude"),
+            column("height", "altitude(m)"),
+            column("roll", "roll(deg)"),
+            column("pitch", "pitch(deg)"),
+            column("heading", "yaw(deg)"),
+            word("smooth", "auto"),
+        ],
+        doubt: "altitude(m) may count from the take-off: set geoid; velocityX, Y and Z are not read, since their axes are stated nowhere",
+    },
+    Known {
+        name: "Betaflight or INAV blackbox",
+        columns: &["time (us)", "GPS_coord[0]", "GPS_coord[1]", "GPS_altitude"],
+        keys: &[
+            column("time", "time (us)").unit("us"),
+            column("latitude", "GPS_coord[0]"),
+            column("longitude", "GPS_coord[1]"),
+            column("height", "GPS_altitude"),
+            column("north", "GPS_velned[0]").unit("cm/s"),
+            column("east", "GPS_velned[1]").unit("cm/s"),
+            column("up", "GPS_velned[2]").unit("cm/s").reversed(),
+            word("smooth", "auto"),
+            word("attitude", "coordinated"),
+        ],
+        doubt: "GPS_altitude is taken as m; some firmware counts 0.1 m; the attitude is not read, since units and signs differ between firmware, so that of a coordinated flight is taken; a multicopter has another",
     },
 ];

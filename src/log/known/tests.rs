@@ -4,7 +4,7 @@ use super::super::survey::tests::read;
 use super::*;
 
 /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
-const SAMPLES: [(&str, &str); 25] = [
+const SAMPLES: [(&str, &str); 27] = [
     (
         "Garmin G1000",
         "#airframe_info, log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss, hh:mm, degrees, degrees, ft msl, ft wgs, deg, deg, kt, fpm, deg, deg, deg\n\
@@ -135,6 +135,16 @@ const SAMPLES: [(&str, &str); 25] = [
         "time, latitude, longitude, altitude, x_vel, y_vel, z_vel, roll, pitch, platform_heading, wander_angle\n\
          216000.0, 0.8377580409572782, 0.19198621771937624, 300, 0, 50, 1, 0.08727, 0.0349, -0.25, 0.25\n\
          216000.1, 0.8377588263554416, 0.19198621771937624, 300, 0, 50, 1, 0.08727, 0.0349, -0.25, 0.25\n",
+    ),
+    (
+        "Litchi",
+        "latitude,longitude,altitude(feet),speed(mph),time(millisecond),datetime(utc),velocityX(mps),velocityY(mps),velocityZ(mps),pitch(deg),roll(deg),yaw(deg),altitude(m),speed(mps)\n\
+         48.0,11.0,984.252,111.8,0,2024-05-01 12:00:00,50,0,-1,2,5,0,300,50\n48.000045,11.0,984.6,111.8,100,2024-05-01 12:00:00,50,0,-1,2,5,0,300.1,50\n",
+    ),
+    (
+        "Betaflight or INAV blackbox",
+        "loopIteration, time (us), attitude[0], attitude[1], attitude[2], GPS_fixType, GPS_numSat, GPS_coord[0], GPS_coord[1], GPS_altitude, GPS_speed (m/s), GPS_velned[0], GPS_velned[1], GPS_velned[2]\n\
+         0, 100000000, 50, 20, 0, 3, 12, 48.0000000, 11.0000000, 300, 50.00, 5000, 0, -100\n100, 100100000, 50, 20, 0, 3, 12, 48.0000450, 11.0000000, 300.1, 50.00, 5000, 0, -100\n",
     ),
 ];
 
