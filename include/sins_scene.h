@@ -527,7 +527,10 @@ typedef struct sins_log_info {
     uint64_t samples;
     /** Duration from the first to the last sample [s]. */
     double duration_s;
-    /** The comment in the first line of the log, UTF-8, terminated; empty: none. */
+    /**
+     * The comment in the first line of a log with the columns of this library, UTF-8, terminated; empty: none, or the table of another
+     * program.
+     */
     char title[192];
 } sins_log_info;
 

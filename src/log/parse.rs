@@ -75,7 +75,9 @@ impl FlightLog {
             columns(&names, line, mapping).map_err(|error| with_later_header(error, text, mapping))?;
         let notes = if has_names { unread(&names, line, &columns, mapping) } else { Vec::new() };
         let only = only_place(&names, line, mapping)?;
-        let mut reading = Reading::new(title(text, comment), columns, notes, mapping);
+        // The first comment of another program holds its own data.
+        let title = if mapping.is_foreign() { String::new() } else { title(text, comment) };
+        let mut reading = Reading::new(title, columns, notes, mapping);
         let header = Header {
             names: has_names.then(|| row.clone()),
             width: names.len(),

@@ -86,7 +86,8 @@ fn a_log_of_a_cockpit() {
     let note = &log.notes()[0];
     let words = "2 rows are left out, the first here: a value is missing";
     assert_eq!((note.line, note.sentence.as_str(), log.notes().len()), (4, words, 1));
-    assert_eq!((log.line(0), log.title.as_str()), (Some(6), "airframe_info"));
+    // The first comment of another program is no title.
+    assert_eq!((log.line(0), log.title.as_str()), (Some(6), ""));
 }
 
 /// Radians, ft/s, down, columns by number, blanks between, a quaternion of forward-right-down axes, dates.

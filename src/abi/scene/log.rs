@@ -39,7 +39,8 @@ pub struct sins_log_info {
     pub samples: u64,
     /// Duration from the first to the last sample [s].
     pub duration_s: f64,
-    /// The comment in the first line of the log, UTF-8, terminated; empty: none.
+    /// The comment in the first line of a log with the columns of this library, UTF-8, terminated; empty: none, or the table of another
+    /// program.
     pub title: [c_char; 192],
 }
 
