@@ -8,7 +8,7 @@ use super::plan::Data;
 use super::study::{QUANTITIES, Quantity, Study};
 use super::table::Row;
 use super::verdict::{self, Judged};
-use super::{bands, ends};
+use super::{bands, ends, radii};
 use crate::drawing::document::{document, figure, table};
 use crate::failure::Failure;
 use crate::planned;
@@ -17,28 +17,27 @@ use crate::units::{LENGTH, time_text, with_unit};
 
 /// The whole page.
 pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
-    let mut figures =
-        QUANTITIES.iter().map(|quantity| bands::figure(study, quantity)).collect::<Result<Vec<_>, _>>()?;
-    figures.insert(1, bands::track(study)?);
-    figures.push(bands::radial(study)?);
+    // The picture of the first sentence comes first.
+    let mut figures = vec![bands::radial(study)?];
+    figures.extend(
+        QUANTITIES.iter().map(|quantity| bands::figure(study, quantity)).collect::<Result<Vec<_>, _>>()?,
+    );
+    figures.insert(2, bands::track(study)?);
     figures.extend(ends::scatter(study)?);
     figures.extend(ends::histogram(study)?);
     let title = format!("Ensemble: {}", study.name);
+    let notes = study.given.warnings([]);
     let body = html! {
         header {
             h1 { (title) }
-            p {
-                "How large the errors of a simulated strapdown inertial navigation system get, and how often: the same flight "
-                "many times, each run with its own random errors."
-            }
+            p.lead { (radii::sentence(study)) }
         }
         main {
             section.run {
                 div.intro {
-                    p { (study.given.title) "." }
-                    p.source {
-                        (study.runs()) ". Flown: " (time_text(study.given.duration_s)) ". A row of statistics each "
-                        (time_text(study.plan.every_s)) "."
+                    p {
+                        (study.given.title) ". The same flight many times, each run with its own random errors: " (study.runs()) "."
+                        @if !notes.is_empty() { " " a href="#notes" { "Notes on the flight data" } "." }
                     }
                     @for warning in warnings(study) { p.remark { (warning) } }
                     @if !study.results.diverged.is_empty() {
@@ -47,13 +46,18 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
                 }
                 @if !judged.is_empty() { div.table { (verdict::markup(judged)) } }
                 div.figures { @for drawn in &figures { (figure(drawn)) } }
+                @if !notes.is_empty() {
+                    h2 id="notes" { "Notes on the flight data" }
+                    @for note in &notes { p.remark { (note) } }
+                }
                 h2 { "At the end" }
                 div.table { (numbers(study)) }
                 div.table { (radii(study)) }
                 p.source {
                     "Navigation: navigation minus truth. "
                     @if study.end(Data::Model).is_some() { "Model: error differential equations. " }
-                    "CEP50 and R95: the radii about the truth within which 50 % and 95 % of the runs are."
+                    "CEP50 and R95: the radii about the truth within which 50 % and 95 % of the runs are. "
+                    "A row of statistics each " (time_text(study.plan.every_s)) "."
                 }
                 details {
                     summary { "What the scene sets" }
@@ -65,20 +69,13 @@ pub fn page(study: &Study, judged: &[Judged]) -> Result<String, Failure> {
     Ok(document(&title, &body))
 }
 
-/// What a reader must know before the curves, in sentences.
+/// What a reader must know before the curves, beside the notes on the flight data, in sentences.
 fn warnings(study: &Study) -> Vec<String> {
     let scene = &study.given.scene;
     let planned = [("Failures", planned::failures(scene)), ("Updates by fixes", planned::updates(scene))];
     let planned = planned.into_iter().filter(|(_, what)| what != "none");
     let planned = planned.map(|(name, what)| format!("{name}: {what}."));
-    study
-        .given
-        .warnings([])
-        .into_iter()
-        .chain(planned)
-        .chain(not_valid(study))
-        .chain(study.beyond_range())
-        .collect()
+    planned.chain(not_valid(study)).chain(study.beyond_range()).collect()
 }
 
 /// When outputs of the unit are invalid in some of the runs that have not diverged, by the rows of the statistics.

@@ -11,6 +11,7 @@ mod ends;
 mod flight;
 mod plan;
 mod print;
+mod radii;
 mod requirement;
 mod results;
 mod single;

@@ -529,3 +529,41 @@ fn sensors_beyond_their_range_are_said_of_the_runs() {
         assert!(!said.contains("Accelerometers were"), "{said}");
     }
 }
+
+/// CEP50 and R95 with their intervals are the first sentence, their picture is the first, and notes on the log are below the pictures.
+#[test]
+fn the_page_answers_first() {
+    let folder = folder("answer");
+    let row = |t: usize| format!("{t},48,{},500,0,0,90,75\n", 11.0 + 0.001 * t as f64);
+    let log: String = (0..=120).map(row).collect();
+    let header = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg,vel_e\n";
+    std::fs::write(folder.join("east.csv"), format!("{header}{log}")).unwrap();
+    let page_of = |runs: &str| {
+        let arguments = ["ensemble", "east.csv", "--preset", "navigation", "--runs", runs, "-q", "--force"];
+        let (code, _, errors) = run(&folder, &arguments);
+        assert_eq!(code, 0, "{errors}");
+        read(folder.join("sins_out/east_ensemble.html"))
+    };
+    let page = page_of("100");
+    let order = [
+        "<p class=\"lead\">After 2 min half of the 100 runs are within ",
+        " of the truth (CEP50; ",
+        " to ",
+        "), and 95 % within ",
+        " of the truth (R95; ",
+        " to ",
+        "<a href=\"#notes\">",
+        "<figure><h3>Horizontal position error</h3>",
+        "<h3>Errors of the position</h3>",
+        "id=\"notes\"",
+        "is it velocity_east_m_s?",
+        "At the end",
+    ];
+    let mut rest = page.as_str();
+    for what in order {
+        (_, rest) = rest.split_once(what).unwrap_or_else(|| panic!("{what}: {page}"));
+    }
+    // Few runs have no upper end of R95, and one has no statistics.
+    assert!(page_of("20").contains("the runs are too few for an upper end"));
+    assert!(page_of("1").contains(" off in the only run."));
+}
