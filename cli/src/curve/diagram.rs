@@ -5,6 +5,7 @@ use maud::{PreEscaped, html};
 use sins::Options;
 use sins::mechanization::{Frame, Scheme};
 
+use super::beside::{Circle, shifts};
 use super::configuration::Configuration;
 use super::front::front;
 use super::survey::{Measured, Point, Survey};
@@ -43,7 +44,7 @@ const LINE: f64 = 20.0;
 
 pub const HOW_TO_READ: [&str; 2] = [
     "Accuracy increases to the right. Right of the line of the sensors' own error, more accuracy is of no use.",
-    "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second.",
+    "Numbers in dots: subsamples, × updates in a sample. At rings: samples a second. A dot beside another one has a line to its place.",
 ];
 
 /// SVG file of the diagram.
@@ -98,15 +99,17 @@ pub fn drawing(survey: &Survey, width: f64) -> Drawing {
     let errors = errors.chain(survey.sensors_m).chain([survey.floor.position_m]);
     let x = accuracy(positive_range(errors));
     let mut panel = Panel::new("time for a simulated second [µs]", cost, HEIGHT, traces(survey));
-    panel.marks = marks(survey, &x, width - LEFT - RIGHT);
-    panel.dots = measured.iter().map(|(point, measured)| dot(point, measured)).collect();
-    panel.notes = measured.iter().filter_map(|(point, measured)| digit(point, measured)).collect();
-    for (pen, configuration, shift) in [
-        (Pen::DefaultRing, Configuration::of(&Options::default()), BELOW),
-        (Pen::PaperRing, Configuration::PAPER, ABOVE),
-    ] {
-        for (point, measured) in measured.iter().filter(|(point, _)| point.configuration == configuration) {
-            let at = place(measured);
+    let room = width - LEFT - RIGHT;
+    panel.marks = marks(survey, &x, room);
+    let places = places(&measured, (&x, room), &panel.y);
+    for ((point, measured), at) in measured.iter().zip(places) {
+        let (from, pen) = (place(measured), pen(point.configuration, true));
+        if at != from {
+            panel.traces.push(Trace::new(pen, vec![from, at]));
+        }
+        panel.dots.push(dot(point, measured, at));
+        panel.notes.extend(digit(point, at));
+        if let Some((pen, shift)) = ring(point) {
             panel.dots.push(Dot { at, pen, radius: RING, label: None });
             panel.notes.push(Note { at, shift, pen, text: short(point.rate_hz) });
         }
@@ -124,6 +127,39 @@ fn accuracy((low, high): (f64, f64)) -> Axis {
 
 fn place(measured: &Measured) -> (f64, f64) {
     (-measured.position_m().log10(), (measured.cost_ns * MICRO).log10())
+}
+
+/// Where the dots are drawn on axes of which that to the right is `room` long [drawing units]: dots that overlap beside each other.
+fn places(measured: &[(&Point, &Measured)], (x, room): (&Axis, f64), y: &Axis) -> Vec<(f64, f64)> {
+    let [unit_x, unit_y] = [room / (x.high - x.low), HEIGHT / (y.high - y.low)];
+    let circle = |(point, measured): &(&Point, &Measured)| {
+        let at = place(measured);
+        let radius = if ring(point).is_some() { RING } else { radius(point) };
+        ((at.0 - x.low) * unit_x, (y.high - at.1) * unit_y, radius)
+    };
+    let circles: Vec<Circle> = measured.iter().map(circle).collect();
+    let shifted = measured.iter().zip(shifts(&circles, room)).map(|((_, measured), shift)| {
+        let (right, up) = place(measured);
+        (right + shift / unit_x, up)
+    });
+    shifted.collect()
+}
+
+/// The ring around the dots of the default and of the paper's configuration, and the shift of the text of its rate.
+fn ring(point: &Point) -> Option<(Pen, (f64, f64))> {
+    match point.configuration {
+        which if which == Configuration::of(&Options::default()) => Some((Pen::DefaultRing, BELOW)),
+        Configuration::PAPER => Some((Pen::PaperRing, ABOVE)),
+        _ => None,
+    }
+}
+
+fn radius(point: &Point) -> f64 {
+    match point.configuration.rung.updates_per_sample {
+        _ if point.configuration.frame == Frame::Geographic => SMALL,
+        1 => RADIUS,
+        _ => WIDE,
+    }
 }
 
 /// Lines that join the rates of each configuration in Earth-fixed axes, and the front, drawn over the lines.
@@ -177,13 +213,7 @@ fn pen(configuration: Configuration, is_filled: bool) -> Pen {
     }
 }
 
-fn dot(point: &Point, measured: &Measured) -> Dot {
-    let is_small = point.configuration.frame == Frame::Geographic;
-    let radius = match point.configuration.rung.updates_per_sample {
-        _ if is_small => SMALL,
-        1 => RADIUS,
-        _ => WIDE,
-    };
+fn dot(point: &Point, measured: &Measured, at: (f64, f64)) -> Dot {
     let (position_m, cost_us) = (measured.position_m(), measured.cost_ns * MICRO);
     let text = format!(
         "{} @ {} Hz: {}, {} µs a second{}",
@@ -195,18 +225,18 @@ fn dot(point: &Point, measured: &Measured) -> Dot {
     );
     let values = [position_m, cost_us].map(|value| six_digits(value).to_string());
     let pen = pen(point.configuration, !point.is_undersampled);
-    Dot { at: place(measured), pen, radius, label: Some(Label { text, values }) }
+    Dot { at, pen, radius: radius(point), label: Some(Label { text, values }) }
 }
 
 /// Number of subsamples as a text in the dot, if the dot has room.
-fn digit(point: &Point, measured: &Measured) -> Option<Note> {
+fn digit(point: &Point, at: (f64, f64)) -> Option<Note> {
     let has_room = point.configuration.frame == Frame::EarthFixed && !point.is_undersampled;
     let rung = &point.configuration.rung;
     let text = match rung.updates_per_sample {
         1 => rung.subsamples.to_string(),
         updates => format!("{}×{updates}", rung.subsamples),
     };
-    has_room.then(|| Note { at: place(measured), shift: (0.0, 0.0), pen: Pen::Digit, text })
+    has_room.then(|| Note { at, shift: (0.0, 0.0), pen: Pen::Digit, text })
 }
 
 #[cfg(test)]
@@ -222,6 +252,28 @@ mod tests {
         let texts: Vec<&str> = axis.ticks.iter().map(|(_, text)| text.as_str()).collect();
         assert_eq!(texts, ["10", "1", "0.1", "0.01", "0.001"]);
         assert!(axis.ticks.windows(2).all(|pair| pair[0].0 < pair[1].0) && axis.low < axis.high);
+    }
+
+    /// Points of nearly the same cost and accuracy: each can be seen, and points at.
+    #[test]
+    fn dots_that_overlap_are_drawn_beside_each_other() {
+        let mut points: Vec<Point> =
+            (0..6).map(|which| made(which, 5e3 * 1.01f64.powi(which as i32), 20.0)).collect();
+        points.push(made(3, 8e5, 2e-4));
+        let drawing = drawing(&Survey::made("a", 3600.0, points, [1e3, 1e5]), WIDTH);
+        let (panel, x) = (&drawing.panels[0], &drawing.x);
+        let [unit_x, unit_y] =
+            [(WIDTH - LEFT - RIGHT) / (x.high - x.low), HEIGHT / (panel.y.high - panel.y.low)];
+        let dots: Vec<&Dot> = panel.dots.iter().filter(|dot| dot.label.is_some()).collect();
+        assert_eq!(dots.len(), 7);
+        for (k, a) in dots.iter().enumerate() {
+            for b in &dots[..k] {
+                let apart = ((a.at.0 - b.at.0) * unit_x).hypot((a.at.1 - b.at.1) * unit_y);
+                assert!(apart >= 0.999 * (a.radius + b.radius), "{apart}");
+            }
+        }
+        // The lone one stands where it is.
+        assert_eq!(dots[6].at, (-(2e-4f64).log10(), 800f64.log10()));
     }
 
     #[test]

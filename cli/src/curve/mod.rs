@@ -2,9 +2,10 @@
 //! ways, without sensor errors.
 //!
 //! The data flow is `command` → `embedded`, `own` → `scene`, `reference` → `matrix` (errors), `timing` (costs), `grades` (errors
-//! that sensors would cause) → `survey` → `front` → `records`, `table`, `diagram`,
+//! that sensors would cause) → `survey` → `front` → `records`, `table`, `diagram` (`beside`),
 //! `document`.
 
+mod beside;
 mod command;
 mod configuration;
 mod diagram;
