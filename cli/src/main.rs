@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod allan;
+mod answer;
 mod budget;
 mod bus;
 mod completions;

@@ -20,7 +20,7 @@ before(async () => {
     sins("ensemble", "simulation2", "--runs", "16", "--set", "flight.hours=0.2", ...quiet);
     for (const [scene, ...more] of [["simulation1"], ["coning"], ["rest", "--preset", "ideal", "--name", "ideal"]]) sins("fly", scene, "--set", "flight.hours=0.1", ...more, ...quiet);
     sins("report", "simulation2.csv", "-o", "one.html", "--force");
-    sins("report", "simulation1.csv", "ideal.csv", "simulation2.csv", "aerobatics.csv", "coning.csv", "-o", "five.html", "--force");
+    sins("report", "simulation2.csv", "simulation1.csv", "ideal.csv", "aerobatics.csv", "coning.csv", "-o", "five.html", "--force");
     await start();
 });
 after(stop);
@@ -65,7 +65,7 @@ test("a cursor shows the values of all panels of the run at that time: those of 
     assert.equal(await page.locator(".cursor").count(), 0);
 });
 
-test("the first screen has the sentence, the map and the position errors of the run that says most", async (context) => {
+test("the first screen has the sentence, the map and the position errors of the run that was named first", async (context) => {
     for (const [name, count] of [["one", 1], ["five", 5]]) {
         for (const viewport of [{ width: 800, height: 800 }, { width: 1280, height: 800 }, { width: 1920, height: 800 }]) {
             const page = await opened(context, name, { viewport }), figures = page.locator("main > .figures");

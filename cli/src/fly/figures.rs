@@ -1,12 +1,14 @@
 //! Figures of a flight: what was flown, and its accuracy.
 
 use sins::errors::{AccuracyFigures, SCHULER_S};
+use sins::mechanization::VerticalMode;
 use sins::scene::{PlannedUpdate, Scene};
 use sins::unit::{Mode, State};
 use sins::{ClosureFigures, TrimFigures};
 
 use super::flight::Flown;
 use super::navigation::Navigation;
+use crate::answer::{self, Answer};
 use crate::failure::{Failure, Kind};
 use crate::given::Given;
 use crate::planned;
@@ -96,6 +98,25 @@ impl<'a> Figures<'a> {
             true => Err("none: an update after NAV starts the errors anew".to_owned()),
             false => Ok(navigation),
         }
+    }
+
+    /// What the flight answers, in one sentence.
+    pub fn sentence(&self) -> String {
+        let (flown, end) = (self.flown, &self.closure.position_n);
+        // Without axes the velocity has no figure.
+        if flown.has_axes() && answer::is_rounding(flown.largest[0], flown.largest[1]) {
+            return answer::of_rounding(self.accuracy.duration_s, flown.largest[0]);
+        }
+        let from_s = self.navigation().map_or(0.0, |navigation| navigation.from_s);
+        let answer = Answer {
+            duration_s: self.accuracy.duration_s,
+            end_m: (end.xy().norm(), end.z),
+            largest_m: flown.largest_radius_m,
+            follows_height: self.scene().options.vertical == VerticalMode::FollowTruth,
+            r50: self.rates().ok().map(|rates| (rates.cep_rate_m_s(), from_s)),
+            difference_m: self.scene().options.error_model.then_some(flown.largest_difference[0]),
+        };
+        answer.sentence()
     }
 
     /// How the start came about. An alignment of a simulator is one at rest, wherever the flight begins.

@@ -59,6 +59,8 @@ pub struct Flown {
     pub seconds: f64,
     /// Largest |error| of the records: position [m], velocity [m/s], misalignment [rad].
     pub largest: [f64; 3],
+    /// Largest horizontal position error of the records [m].
+    pub largest_radius_m: f64,
     /// Largest |error data 1 - error data 2| of the records: position [m], velocity [m/s].
     pub largest_difference: [f64; 2],
     pub accuracy: Option<(AccuracyFigures, ClosureFigures, TrimFigures)>,
@@ -316,6 +318,7 @@ fn keep(flown: &mut Flown, file: &mut OutputFile, record: &Record) -> Result<(),
     let has_model = record.model_flags & NOT_COMPUTED == 0;
     let raise = |largest: &mut f64, size: f64| *largest = largest.max(size);
     raise(&mut flown.largest[0], errors.position_n.norm());
+    raise(&mut flown.largest_radius_m, errors.position_n.xy().norm());
     if has_model {
         raise(&mut flown.largest_difference[0], (model.position_n - errors.position_n).norm());
     }

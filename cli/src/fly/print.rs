@@ -10,9 +10,12 @@ use super::shown::Reason;
 use crate::planned;
 use crate::units::{six_digits, time_text};
 
-/// Text of the summary; `records` is the path of the records.
+/// Text of the summary, its answer first; `records` is the path of the records.
 pub fn text(figures: &Figures, records: &Path) -> String {
-    setting(figures, records) + &closure(figures) + &accuracy(figures)
+    format!("{}\n\n", figures.sentence())
+        + &setting(figures, records)
+        + &closure(figures)
+        + &accuracy(figures)
 }
 
 /// `value` as text, in scientific notation if fixed-point notation would not show its digits.
@@ -83,8 +86,11 @@ fn setting(figures: &Figures, records: &Path) -> String {
 
 fn closure(figures: &Figures) -> String {
     let closure = &figures.closure;
-    let mut text =
-        format!("\n{:<32}  {:>14}  {:>14}  {:>14}\n", "closure: navigation - truth", "east", "north", "up");
+    let mut text = format!(
+        "\nclosure: navigation - truth at the end; the truth causes the part by which its velocities contradict its positions\n\
+         {:<32}  {:>14}  {:>14}  {:>14}\n",
+        "", "east", "north", "up"
+    );
     let mut axes = |what: &str, values: &Vector3<f64>, count: usize| {
         let numbers: String = values.iter().take(count).copied().map(number).collect();
         text += &format!("  {what:<30}{numbers}\n");

@@ -173,7 +173,7 @@ mod tests {
 
     #[test]
     fn rounding_is_not_reported_as_figures() {
-        let mut run = made(3, |_, _| 1e-9);
+        let mut run = made(3, |_, _| 0.5e-9);
         run.summary.rows.push(Row::made("max_velocity_m_s", "1e-9", "m/s"));
         let html = overview(&[run]).into_string();
         assert!(html.contains("no error beyond rounding") && !html.contains("1.234 km"));

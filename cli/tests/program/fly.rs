@@ -31,6 +31,45 @@ fn a_first_flight_and_its_page() {
     assert_eq!(names(&folder), ["sins_out"]);
 }
 
+/// The first line answers, in the words of the page: also without errors, with an alignment, a height that diverges, and short of a rate.
+#[test]
+fn the_answer_stands_first() {
+    let folder = folder("answer");
+    let unit = "[flight]\nrate_hz = 2\n[[manoeuvre]]\nkind = \"rest\"\nduration_s = 6600\n[gyro]\npreset = \"navigation\"\n[unit]\n\
+        start = \"off\"\n[[panel]]\nkind = \"align\"\nat_s = 10\n[[panel]]\nkind = \"true_position\"\nat_s = 60\n[[panel]]\n\
+        kind = \"nav\"\nat_s = 700\n";
+    std::fs::write(folder.join("unit.toml"), unit).unwrap();
+    for (name, arguments, answer) in [
+        (
+            "hour",
+            &["rest", "--preset", "navigation", "--set", "flight.hours=1"][..],
+            "After 60 min the INS is ",
+        ),
+        (
+            "ideal",
+            &["rest", "--preset", "ideal", "--set", "flight.hours=0.1"],
+            "In 6 min there is no error beyond rounding: at most ",
+        ),
+        ("long", &["rest", "--preset", "navigation", "--set", "flight.hours=1.5"], ", R50 "),
+        (
+            "high",
+            &["rest", "--preset", "tactical", "--set", "options.vertical=free", "--set", "flight.hours=0.5"],
+            " too ",
+        ),
+        ("model", &["simulation2", "--set", "flight.hours=0.1"], "; the error equations agree to "),
+        ("unit", &["unit.toml"], " since NAV at "),
+    ] {
+        let said = done(&folder, &[&["fly"], arguments, &["--name", name]].concat());
+        let first = said.lines().next().unwrap();
+        assert!(first.contains(answer), "{name}: {said}");
+        assert_eq!(first.contains(", R50 "), ["long", "unit"].contains(&name), "{name}: {first}");
+        done(&folder, &["report", &format!("sins_out/{name}.csv"), "--force"]);
+        let page = read(folder.join("sins_out/report.html"));
+        let (_, lead) = page.split_once("<p class=\"lead\">").unwrap();
+        assert_eq!(lead.split("</p>").next().unwrap(), first, "{name}");
+    }
+}
+
 /// Rolls of the fighter are faster than the range of its gyros: the error hangs on that, and it is said.
 #[test]
 fn sensors_beyond_their_range_are_said() {
