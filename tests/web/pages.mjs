@@ -87,6 +87,15 @@ test("the first screen has the sentence, the map and the position errors of the 
     }
 });
 
+test("the first screen of an ensemble has the sentence with CEP50 and R95, and their picture", async (context) => {
+    for (const viewport of [{ width: 1280, height: 800 }, { width: 1920, height: 800 }]) {
+        const page = await opened(context, "simulation2_ensemble", { viewport });
+        assert.match(await page.locator(".lead").innerText(), /^After 12 min half of the 16 runs are within .* \(CEP50; .* to .*\), and 95 % within .* \(R95; /);
+        const picture = page.locator(".panel", { hasText: "horizontal error" }).locator(".inner").first(), { y, height } = await picture.boundingBox();
+        assert.ok(y + height <= viewport.height, `${viewport.width}: ${y + height}`);
+    }
+});
+
 test("drag enlarges all panels of the run, double-click goes back", async (context) => {
     const page = await opened(context, "report"), own = panel(page, 1, "position east");
     const grid = await own.locator(".x-ticks").count();

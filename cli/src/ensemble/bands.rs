@@ -205,7 +205,7 @@ pub fn radial(study: &Study) -> Result<Figure, Failure> {
             .map(|size| with_unit(size, LENGTH));
         format!("At the end: CEP50 {cep50}, R95 {r95}, largest {largest}.")
     });
-    let mut panels = vec![panel(format!("horizontal error [{}]", unit.name), 400.0, 6, traces)];
+    let mut panels = vec![panel(format!("horizontal error [{}]", unit.name), 370.0, 6, traces)];
     let events = planned::events(&study.given.scene);
     events.mark(&time, &mut panels);
     legend.extend(events.legend(&time));
