@@ -1,7 +1,7 @@
 // Lessons: a row of links to them, and the lesson that is open: its title, its question, its sliders and its paragraphs.
 
 import { unit_name } from "./scene.mjs";
-import { element, language, shown, text } from "./texts.mjs";
+import { element, label, language, shown, text } from "./texts.mjs";
 
 /** A lesson by its name in the address, or undefined. */
 export const lesson_of = (lessons, name) => lessons.find((own) => own.name === name);
@@ -13,15 +13,19 @@ export function row_of(lessons, open) {
     return element("nav", { "aria-label": text("Lessons") }, link("#", text("first_flight"), open.is_first), ...links);
 }
 
-/** A slider of a key of the scene: fly() is called when it has set a value. It stands at the value that is nearest to that of the scene. */
+/** The first number of a value: that of all axes, or of the first one. */
+const number_of = (value) => Number.parseFloat(value.replace(/^\[/, ""));
+
+/** A slider of a key of the scene: fly() is called when it has set a value. It stands at the value of the scene, or at the nearest number. */
 function slider_made(scene, own, k, fly) {
-    const { key, values } = own, id = `lesson_slider${k}`, unit = unit_name(scene.key(key));
+    const { key, values } = own, id = `lesson_slider${k}`, known = scene.key(key), unit = unit_name(known), is_word = typeof values[0] === "string";
     const input = element("input", { type: "range", id, min: 0, max: values.length - 1, step: 1, "data-slides": key }), output = element("output", { for: id });
     input.oninput = () => scene.set({ [key]: String(values[input.value]) }).length || fly();
     const made = element("div", { class: "slider" }, element("label", { for: id }, own[language]), input, output);
     made.refresh = () => {
-        const value = Number(scene.get(key)), off = values.map((one) => Math.abs(one - value));
-        [input.value, output.value] = [off.indexOf(Math.min(...off)), `${shown(value, 6)} ${unit}`];
+        const written = scene.get(key), value = number_of(written), off = values.map((one) => (is_word ? Number(one !== written) : Math.abs(one - value)));
+        const words = known.name === "builtin" ? label(`builtin.${written}`, written) : scene.word_label(known, written);
+        [input.value, output.value] = [off.indexOf(Math.min(...off)), is_word ? words : `${shown(value, 6)} ${unit}`];
         input.setAttribute("aria-valuetext", output.value);
     };
     return made;

@@ -12,7 +12,7 @@ const is_text = (value) => typeof value === "string" && value !== "", is_number 
 const KEYS = { order: is_number, shows: (value) => SHOWS.includes(value) };
 const LISTS = {
     mark: { at_s: (value) => is_number(value) && value > 0, en: is_text, zh: is_text },
-    slider: { key: is_text, en: is_text, zh: is_text, values: (value) => Array.isArray(value) && value.length > 1 && value.every(is_number) },
+    slider: { key: is_text, en: is_text, zh: is_text, values: (value) => Array.isArray(value) && value.length > 1 && (value.every(is_number) || value.every(is_text)) },
 };
 
 /** The lessons of a folder in their order. Throws if one is not complete. */
@@ -82,7 +82,7 @@ function settings_of(text) {
         try {
             at[key] = JSON.parse(written);
         } catch {
-            throw fault("expected a text in quotes, a number, or a list of numbers");
+            throw fault("expected a text in quotes, a number, or a list of them");
         }
         if (!keys[key](at[key])) throw fault("not a value of this key");
     });

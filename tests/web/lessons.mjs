@@ -16,16 +16,17 @@ const { SINS, SINS_MODULE } = process.env;
 const FOLDER = "c_examples/lessons", LESSONS = lessons_of(FOLDER), out = resolve("target/web");
 
 /** Of a lesson's scene with other values, flown by the program: position errors [m], misalignment [arcmin], true heading, the record at a time. */
-function flown(name, values) {
+function flown(name, values = {}) {
     const file = [name, ...Object.entries(values).flat()].join("_").replace(/[^\w]/g, "");
     const sets = Object.entries(values).flatMap(([key, value]) => ["--set", `${key}=${value}`]);
     execFileSync(SINS, ["fly", `${FOLDER}/${name}/scene.toml`, ...sets, "--name", file, "--out", `${out}/flown/expected`, "--quiet", "--force"]);
     const [head, ...lines] = readFileSync(`${out}/flown/expected/${file}.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
     const column = (own, size = 1) => lines.map((line) => Number(line[head.indexOf(own)]) / size);
+    const of = (own) => lines.map((line) => Number(line[head.indexOf(own)]));
     const [time_s, east, north] = [column("time_s"), ...["east", "north"].map((axis) => column(`navigation_error_position_${axis}_m`))];
     const [tilt, up] = ["east", "up"].map((axis) => column(`navigation_error_misalignment_${axis}_rad`, Math.PI / 10800)), heading = column("truth_heading_rad");
     const at = (wanted_s) => time_s.findIndex((own) => own >= wanted_s);
-    return { at, east, north, tilt, up, heading, off_m: time_s.map((_, k) => Math.hypot(east[k], north[k])) };
+    return { at, of, time_s, east, north, tilt, up, heading, off_m: time_s.map((_, k) => Math.hypot(east[k], north[k])) };
 }
 
 test("what the lesson on Schuler says is so at every latitude of its slider", () => {
@@ -92,6 +93,83 @@ test("what the lesson on coning says is so: the drift of theory, and what makes 
     assert.ok(Math.abs(drift_deg_h({ "manoeuvre[0].sinusoid[0].amplitude_deg": 0 })) < 1e-4 * one);
 });
 
+const is_near = (value, wanted, part, what) => assert.ok(Math.abs(value - wanted) <= part * wanted, `${what}: ${value}, not ${wanted}`);
+
+test("what the lesson on gyros says is so: errors grow with the bias, and so many runs are within two miles", () => {
+    const own = (gyro, accelerometer, run = 0) => flown("gyros", { "gyro.bias_sigma_deg_h": gyro, "accelerometer.bias_sigma_micro_g": accelerometer, "options.run": run }).off_m.at(-1);
+    is_near(own(0.01, 0) / own(0.001, 0), 10, 1e-3, "ten times the bias");
+    is_near(own(0.1, 0) / own(0.01, 0), 10, 1e-2, "ten times the bias");
+    const runs = (...sets) => {
+        execFileSync(SINS, ["ensemble", `${FOLDER}/gyros/scene.toml`, "--runs", "200", ...sets.flatMap((set) => ["--set", set]), "--name", "gyros", "--out", `${out}/flown/expected`, "--quiet", "--force"]);
+        const [head, ...lines] = readFileSync(`${out}/flown/expected/gyros_ensemble.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
+        return Object.fromEntries(["cep50_m", "r95_m"].map((name) => [name, Number(lines.at(-1)[head.indexOf(name)])]));
+    };
+    const gyros = runs("accelerometer.bias_sigma_micro_g=0"), accelerometers = runs("gyro.bias_sigma_deg_h=0", "accelerometer.bias_sigma_micro_g=200");
+    is_near(gyros.cep50_m, 2300, 0.03, "CEP50 of gyros of 0.01 deg/h");
+    is_near(gyros.cep50_m / 1852, 1.2, 0.05, "in nautical miles");
+    is_near(gyros.r95_m, 4500, 0.03, "R95");
+    is_near(accelerometers.cep50_m / gyros.cep50_m, 1, 0.2, "accelerometers of 200 micro-g");
+});
+
+test("what the lesson on the pole says is so: curves jump and distances do not, and geographic axes end", () => {
+    const { east, north, off_m, of, time_s } = flown("pole"), step = (values) => values.map((value, k) => Math.abs(value - (values[k - 1] ?? value)));
+    const at_pole = step(east.map((_, k) => k)).findIndex((_, k) => off_m[k] > 1 && Math.abs(east[k] - east[k - 1]) > 0.5 * off_m[k]);
+    assert.ok(Math.abs(time_s[at_pole] - 268) < 2, `${time_s[at_pole]} s`);
+    is_near(-east[at_pole] / east[at_pole - 1], 1, 0.2, "east changes its sign");
+    is_near(-north[at_pole] / north[at_pole - 1], 1, 0.2, "north changes its sign");
+    assert.ok(Math.max(...step(off_m)) < 0.05 * Math.max(...off_m), `${Math.max(...step(off_m))} m`);
+    const heading = of("truth_heading_rad"), in_loop = heading.slice(time_s.findIndex((own) => own > 500), time_s.findIndex((own) => own > 560));
+    assert.ok(Math.max(...step(in_loop).map((own) => Math.abs(Math.sin(own / 2)))) > 0.9); // it jumps by half a turn
+    const aside = ["earth", "geographic"].map((frame) => flown("pole", { "flight.heading_deg": 20, "options.frame": frame }));
+    const nearest_deg = 90 - Math.max(...aside[0].of("truth_latitude_rad").map((own) => (own * 180) / Math.PI));
+    is_near(nearest_deg * 111.69, 23, 0.02, "the distance from the pole");
+    for (const axis of ["east", "north"]) assert.ok(Math.abs(aside[0][axis].at(-1) - aside[1][axis].at(-1)) < 1e-3);
+    assert.throws(() => flown("pole", { "options.frame": "geographic" }), ({ stderr }) => {
+        const [, ended_s] = /at ([\d.]+) s: .*the geographic frame needs/.exec(stderr.toString());
+        is_near((268 - ended_s) * 0.25, 6, 0.1, "the end before the pole");
+        return true;
+    });
+});
+
+test("what the lesson on effects says is so: the flight decides which error counts", () => {
+    const none = { "gyro.scale_factor_ppm": 0 };
+    const off = (builtin, values = {}) => flown("effects", { "flight.builtin": builtin, ...values }).off_m.at(-1), [rest, aerobatics] = ["rest", "aerobatics"].map((own) => off(own));
+    is_near(rest, 0.2, 0.1, "the scale factor at rest");
+    assert.ok(aerobatics > 300 && aerobatics > 1000 * rest, `${aerobatics} m`);
+    is_near(off("rest", { ...none, "gyro.bias_deg_h": 1 }), 516, 0.01, "the bias at rest");
+    is_near(off("aerobatics", { ...none, "gyro.bias_deg_h": 1 }), 115, 0.01, "the bias in aerobatics");
+    const roll = flown("effects", { "flight.builtin": "aerobatics" }), angle = roll.of("truth_roll_rad");
+    const rates = angle.map((own, k) => Math.abs(Math.asin(Math.sin(own - (angle[k - 1] ?? own)))) / (roll.time_s[1] - roll.time_s[0]));
+    assert.ok(Math.max(...rates) > (100 * Math.PI) / 180);
+});
+
+test("what the lesson on the second order says is so: the lines part with the square of the errors", () => {
+    const apart = (heading, bias) => {
+        const own = flown("second_order", { "start.misalignment_arcmin[2]": heading, "gyro.bias_deg_h": bias });
+        const model = ["east", "north"].map((axis) => own.of(`model_error_position_${axis}_m`));
+        return { off_m: own.off_m.at(-1), most_m: Math.max(...own.east.map((east, k) => Math.hypot(east - model[0][k], own.north[k] - model[1][k]))) };
+    };
+    const one = apart(60, 0.1), two = apart(120, 0.2), small = apart(0, 0.01);
+    is_near(one.off_m, 81e3, 0.01, "the error");
+    is_near(one.most_m, 800, 0.02, "how far the lines are apart");
+    is_near(two.most_m / one.most_m, 4, 0.02, "both errors twice as large");
+    assert.ok(small.most_m < 0.002 * small.off_m, `${small.most_m} m of ${small.off_m} m`);
+});
+
+test("what the lesson on the box says is so: nothing lights up, a fix corrects the position alone", () => {
+    const { at, off_m, of } = flown("unit"), end = (values) => flown("unit", values).off_m.at(-1);
+    is_near(off_m.at(-1), 3400, 0.01, "the end");
+    assert.ok(off_m[at(1199)] < 50 && off_m[at(1899)] > 2000 && off_m[at(1902)] < 50 && off_m[at(1960)] > 5 * off_m[at(1902)]);
+    const sizes = [0, 0.1, 1, 5].map((size) => end({ "failure[0].size_deg_h": size })), fixes = [1600, 1750, 1900, 2100].map((at_s) => end({ "update[0].at_s": at_s }));
+    assert.deepEqual(sizes, sizes.toSorted((a, b) => a - b));
+    assert.deepEqual(fixes, fixes.toSorted((a, b) => b - a));
+    flown("unit"); // the file of the scene as it is
+    const [head, ...rows] = readFileSync(`${out}/flown/expected/unit_unit.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
+    const states = new Set(rows.map((row) => row[head.indexOf("state")]));
+    assert.ok(states.has("navigation") && ![...states].some((own) => /fault|attitude/.test(own)), [...states].join());
+    assert.ok(of("time_s").at(-1) > 2200);
+});
+
 test("a lesson that is not complete is not packed, and the fault names its file", async () => {
     const own = `${out}/lessons`, files = Object.fromEntries(["scene.toml", "lesson.toml", "en.md", "zh.md"].map((name) => [name, readFileSync(`${FOLDER}/schuler/${name}`, "utf8")]));
     const packed = (changes, name = "own") => {
@@ -112,6 +190,7 @@ test("a lesson that is not complete is not packed, and the fault names its file"
         ["lesson.toml", `order = 2\n${settings}`, /a second time: order = 1/],
         ["lesson.toml", settings.replace('"position"', '"height"'), /not a value of this key: shows = "height"/],
         ["lesson.toml", settings.replace('"position"', "position"), /expected a text in quotes/],
+        ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", 'values = ["a", ""]'), /not a value of this key/],
         ["lesson.toml", settings.replace("order = 1\n", ""), /expected order, shows/],
         ["lesson.toml", settings.replace("at_s = 5064\n", ""), /\[\[mark\]\]: expected at_s, en, zh/],
         ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", "values = [0]"), /not a value of this key: values = \[0\]/],
