@@ -14,7 +14,7 @@ cd "$(dirname "$0")/.."
 
 need chromium chromium
 need fonts-wqy-microhei /usr/share/fonts/truetype/wqy/wqy-microhei.ttc
-node_packages "$playwright"
+node_packages "$playwright" "$axe"
 build_program
 export SINS_WASM=${SINS_WASM:-$PWD/target/wasm}
 [ -e "$SINS_WASM/sins.wasm" ] || release/wasm.sh "$SINS_WASM"
@@ -22,6 +22,8 @@ release/page.sh target/web
 SINS=$built/sins HOURS=${HOURS:-2} SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/page.mjs
 SINS=$built/sins SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/teaching.mjs
 SINS=$built/sins SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/lessons.mjs
+SINS=$built/sins SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/choices.mjs
+SINS=$built/sins SINS_MODULE=$SINS_WASM/sins.mjs node --test --test-reporter spec tests/web/access.mjs
 SINS=$built/sins node --test --test-reporter spec tests/web/pages.mjs
 SINS=$built/sins node --test --test-reporter spec tests/web/studies.mjs
 report_not_run

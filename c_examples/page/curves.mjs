@@ -31,6 +31,31 @@ export function unit_of(kind, largest) {
     return units.findLast(([, size]) => largest >= 2 * size) ?? units[0];
 }
 
+/** Most flights whose curves are kept. */
+export const MOST_KEPT = 4;
+
+/** A column over time at other times: between two points on the line through them, and nothing beyond the last one. */
+export function at_times(times, column, wanted) {
+    let k = 0;
+    return Array.from(wanted, (time) => {
+        while (k < times.length && times[k] < time) k++;
+        if (k === times.length) return null;
+        if (k === 0 || times[k] === time) return times[k] === time ? column[k] : null;
+        return column[k - 1] + ((column[k] - column[k - 1]) * (time - times[k - 1])) / (times[k] - times[k - 1]);
+    });
+}
+
+/** Numbers at an axis in one notation: as many decimals at each, or a power of ten at each. */
+export function tick_texts(ticks) {
+    const texts = ticks.map((tick) => shown(tick, 6)), decimals = (own) => own.split(".")[1]?.length ?? 0;
+    if (!texts.some((own) => own.includes("e"))) {
+        const most = Math.max(0, ...texts.map(decimals));
+        return ticks.map((tick) => tick.toFixed(most).replace(/^-(0\.?0*)$/, "$1"));
+    }
+    const digits = texts.map((_, k) => decimals(String(Number(ticks[k].toPrecision(6)).toExponential()).split("e")[0]));
+    return ticks.map((tick) => (tick === 0 ? "0" : tick.toExponential(Math.max(...digits))));
+}
+
 const largest_of = (columns) => columns.reduce((most, column) => column.reduce((own, value) => Math.max(own, Math.abs(value)), most), 0);
 
 /** A colour of the style sheet. */
@@ -39,13 +64,18 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 export class Curves {
     /** target: the element for the panels. */
     constructor(target) {
-        [this.target, this.plots, this.key, this.points, this.marks] = [target, [], "", null, []];
+        [this.target, this.plots, this.key, this.points, this.marks, this.kept] = [target, [], "", null, [], []];
         new ResizeObserver(() => this.resize()).observe(target);
     }
 
     /** From the next drawing on: marks, [{at_s, name}], and the whole time instead of an enlarged part. */
     look_at(marks) {
         [this.marks, this.key] = [marks, ""];
+    }
+
+    /** Keeps the curves of the flight that is shown, by a name; they stay until they are forgotten. */
+    keep(name) {
+        if (this.points && this.kept.length < MOST_KEPT) this.kept.push({ name, points: this.points });
     }
 
     /** Shows a quantity of the points. has_model: whether there is error data 1. */
@@ -56,16 +86,18 @@ export class Curves {
         const columns = triples.map((name) => points[name]), { time } = points, [time_unit, time_size] = unit_of("time", time.at(-1));
         const names = parts(quantity.names ?? "data"), axes = parts(quantity.axes);
         const panels = axes.map((axis, k) => {
-            const own = columns.map((triple) => triple[k]), [unit, size] = unit_of(quantity.kind, largest_of(own));
-            return { axis, unit, size, data: [time, ...own.toReversed()].map((column, at) => column.map((value) => value / (at ? size : time_size))) };
+            const kept = this.kept.map(({ points: { time: times, [triples[0]]: triple } }) => at_times(times, triple[k], time));
+            const own = columns.map((triple) => triple[k]), [unit, size] = unit_of(quantity.kind, largest_of([...kept, ...own]));
+            const scaled = (column, by) => column.map((value) => (value === null ? null : value / by));
+            return { axis, unit, size, data: [scaled(time, time_size), ...[...kept, ...own.toReversed()].map((column) => scaled(column, size))] };
         });
         this.time_size = time_size;
-        const key = JSON.stringify([quantity.axes, quantity.kind, quantity.name(), triples, time_unit, panels.map(({ unit }) => unit), matchMedia("(prefers-color-scheme: dark)").matches]);
+        const key = JSON.stringify([quantity.axes, quantity.kind, quantity.name(), triples, this.kept.map(({ name }) => name), time_unit, panels.map(({ unit }) => unit), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.key = key;
             this.plots.forEach((plot) => plot.destroy());
             this.target.replaceChildren();
-            const labels = triples.map((name, at) => names[at]).toReversed();
+            const labels = triples.map((_, at) => names[at]).toReversed();
             this.plots = panels.map((panel, k) => this.make(panel, labels, time_unit, k === panels.length - 1));
         }
         panels.forEach(({ data, axis, unit }, k) => {
@@ -88,13 +120,9 @@ export class Curves {
         const { least } = KINDS[this.quantity.kind], ink = colour("ink"), grid = { stroke: colour("grid"), width: 1 };
         const own_axis = { stroke: ink, grid, ticks: grid, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
         const is_two = labels.length === 2;
-        const series = labels.map((label, k) => ({
-            label,
-            stroke: colour(is_two && k === 0 ? "data1" : "data2"),
-            width: is_two && k === 0 ? 3 : 1.25,
-            value: (_, value) => (value === null ? "" : `${shown(value, 5)} ${unit}`),
-            points: { show: false },
-        }));
+        const line = (label, stroke, width) => ({ label, stroke: colour(stroke), width, value: (_, value) => (value === null ? "" : `${shown(value, 5)} ${unit}`), points: { show: false } });
+        const kept = this.kept.map(({ name }, k) => line(name, `kept${k}`, 1.25));
+        const series = [...kept, ...labels.map((label, k) => line(label, is_two && k === 0 ? "data1" : "data2", is_two && k === 0 ? 3 : 1.25))];
         const plot = new uPlot(
             {
                 ...this.sizes(is_last),
@@ -105,8 +133,8 @@ export class Curves {
                 },
                 series: [{ label: text("time"), value: (_, value) => (value === null ? "" : `${shown(value, 6)} ${time_unit}`) }, ...series],
                 axes: [
-                    { ...own_axis, size: is_last ? 46 : 16, ...(is_last ? { label: `${text("time")} [${time_unit}]`, labelSize: 18 } : { values: () => [] }) },
-                    { ...own_axis, size: 62, label: `${axis} [${unit}]`, labelSize: 18, values: (_, ticks) => ticks.map((tick) => shown(tick, 6)) },
+                    { ...own_axis, size: is_last ? 46 : 16, ...(is_last ? { label: `${text("time")} [${time_unit}]`, labelSize: 18, values: (_, ticks) => tick_texts(ticks) } : { values: () => [] }) },
+                    { ...own_axis, size: 62, label: `${axis} [${unit}]`, labelSize: 18, values: (_, ticks) => tick_texts(ticks) },
                 ],
                 cursor: { sync: { key: "time" }, drag: { x: true, y: false } },
                 hooks: { setScale: [(own, name) => name === "x" && note_zoom(own)], draw: [(own) => this.draw_marks(own)] },

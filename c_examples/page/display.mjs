@@ -1,15 +1,15 @@
 // The display: controls of the flight, curves, map, instruments and the table of values, all of the flight in the worker.
 
-import { Curves, QUANTITIES, unit_of } from "./curves.mjs";
+import { Curves, MOST_KEPT, QUANTITIES } from "./curves.mjs";
 import { save } from "./files.mjs";
-import { FAILED, FINISHED, FLYING, PAUSED } from "./flight.mjs";
-import { DEGREE, Indicator, Panel } from "./instruments.mjs";
+import { FLYING, PAUSED } from "./flight.mjs";
+import { Indicator, Panel } from "./instruments.mjs";
 import { Track } from "./map.mjs";
 import { element, options, parts, shown, text } from "./texts.mjs";
 import { log_of } from "./trajectory.mjs";
+import { answer, duration, rows } from "./values.mjs";
 
 const PACES = [1, 10, 100, 1000, 0]; // in the order of the text "paces"
-const NMI_H = 1852 / 3600;
 /** Time for which a sentence stands in the place of the state of a flight [ms]. */
 const READ_MS = 5000;
 
@@ -27,6 +27,11 @@ export class Display {
         this.progress = element("progress", { max: 1, value: 0, "aria-label": text("Flight") });
         this.state = element("output", { class: "state", id: "state" });
         this.answer = element("output", { class: "answer", id: "answer" });
+        this.findings = element("ul", { class: "findings", "aria-label": text("Flight data") });
+        /** What the curves of this flight are called when they are kept, or "". */
+        this.call = () => "";
+        this.keep = button("Keep this curve", () => this.keep_curves(), "keep");
+        this.forget = button("Remove kept curves", () => this.forget_curves(), "forget");
         const quantity = (this.quantities = element("select", { id: "quantity" }, ...options(QUANTITIES.map((own, k) => [String(k), own.name()]))));
         quantity.onchange = () => {
             this.quantity = QUANTITIES[quantity.selectedIndex];
@@ -47,10 +52,11 @@ export class Display {
             this.progress,
             this.state,
             this.answer,
+            this.findings,
             element(
                 "div",
                 { class: "views" },
-                element("section", { class: "curves" }, element("div", { class: "bar" }, element("label", { for: "quantity" }, text("Quantity")), quantity), curves),
+                element("section", { class: "curves" }, element("div", { class: "bar" }, element("label", { for: "quantity" }, text("Quantity")), quantity, this.keep, this.forget), curves),
                 element(
                     "section",
                     { class: "beside" },
@@ -71,14 +77,38 @@ export class Display {
         if (!other) return;
         for (const name of ["now", "points", "path", "flown_text", "has_model", "log_name", "planned"]) this[name] = other[name];
         this.pace.value = other.pace.value;
+        this.curves.kept = other.curves.kept;
+        this.choose(QUANTITIES.indexOf(other.quantity));
+        this.show_findings(other.found);
         this.refresh();
     }
 
-    /** Shows the navigation's error of a name, such as "position", with marks: [{at_s, name}], over the whole time. */
+    choose(place) {
+        [this.quantity, this.quantities.selectedIndex] = [QUANTITIES[place], place];
+    }
+
+    keep_curves() {
+        const { kept } = this.curves;
+        this.curves.keep(this.call() || text("kept", kept.length + 1));
+        this.refresh();
+    }
+
+    forget_curves() {
+        this.curves.kept = [];
+        this.refresh();
+    }
+
+    /** What the judge found in the log: [{level, sentence}]. */
+    show_findings(found = []) {
+        this.found = found;
+        this.findings.replaceChildren(...found.map(({ level, sentence }) => element("li", {}, `${parts("levels")[level]}: ${sentence}`)));
+    }
+
+    /** Shows the navigation's error of a name, such as "position", or the chosen one, with marks: [{at_s, name}], over the whole time. */
     look_at(name, marks) {
         this.curves.look_at(marks);
         const chosen = QUANTITIES.findIndex(({ triples }) => triples[0] === `${name}2`);
-        if (chosen >= 0) [this.quantity, this.quantities.selectedIndex] = [QUANTITIES[chosen], chosen];
+        if (chosen >= 0) this.choose(chosen);
         this.draw();
     }
 
@@ -187,6 +217,8 @@ export class Display {
         const { now } = this, is_flying = now?.state === FLYING, is_paused = now?.state === PAUSED;
         if (is_flying && performance.now() > this.said?.until_ms) this.said = null;
         [this.start.disabled, this.pause.disabled, this.stop.disabled] = [is_flying, !is_flying && !is_paused, !is_flying && !is_paused];
+        const { kept } = this.curves;
+        [this.keep.disabled, this.forget.hidden, this.findings.hidden] = [!this.points || kept.length === MOST_KEPT, kept.length === 0, log_of(this.scene) === null];
         this.pause.setAttribute("aria-pressed", String(is_paused));
         this.show_state();
         this.panel.made.hidden = now ? !now.has_unit : this.scene.get("unit.start") === "none";
@@ -247,19 +279,6 @@ export class Display {
     }
 }
 
-/** A time in the largest unit that fits. */
-function duration(time_s) {
-    const [unit, size] = unit_of("time", time_s);
-    return `${shown(time_s / size, 4)} ${unit}`;
-}
-
-/** How far the INS is from the truth at the end of a flight, as a sentence, or "". */
-function answer(now) {
-    if (now?.state !== FINISHED || !now.record) return "";
-    const error_m = Math.hypot(...now.record.navigation_errors.position_enu_m), [unit, size] = unit_of("length", error_m);
-    return text("answer", duration(now.time_s), `${shown(error_m / size, 3)} ${unit}`);
-}
-
 /** The text of a scene with other failures. */
 function with_failures(sins, written, items) {
     const scene = sins.scene_parse(written);
@@ -267,29 +286,4 @@ function with_failures(sins, written, items) {
     const changed = sins.scene_write(scene);
     scene.close();
     return changed;
-}
-
-/** The table of values: the name, then the solution and the truth; or one value. */
-function rows(now) {
-    const names = parts("progress"), { record, accuracy } = now ?? {};
-    if (!record) return [];
-    const { truth, navigation, navigation_errors: errors, model_errors: model } = record;
-    const several = (values, size, digits) => Array.from(values, (value) => (value / size).toFixed(digits).replace(/^-(0\.0*)$/, "$1")).join(" ");
-    const both = (show) => [show(navigation), show(truth)], attitude = (own) => [own.roll_rad, own.pitch_rad, own.heading_rad];
-    const is_known = (own) => (own.flags & 4) === 0; // SINS_ERRORS_NOT_COMPUTED
-    const all = [
-        [names[0], ...both((own) => (own.latitude_rad / DEGREE).toFixed(6))],
-        [names[1], ...both((own) => (own.longitude_rad / DEGREE).toFixed(6))],
-        [names[2], ...both((own) => own.height_m.toFixed(1))],
-        [names[3], ...both((own) => several(own.velocity_enu_m_s, 1, 2))],
-        [names[4], ...both((own) => several(attitude(own), DEGREE, 2))],
-        [names[6], several(errors.position_enu_m, 1, 2)],
-        is_known(model) && [names[7], several(model.position_enu_m, 1, 2)],
-        [names[8], several(errors.velocity_enu_m_s, 1, 4)],
-        [names[9], several(errors.misalignment_enu_rad, DEGREE / 60, 3)],
-        accuracy && [names[10], several(accuracy.closure_position_enu_m, 1, 2)],
-        accuracy?.has_rates && [names[11], shown(accuracy.cep_rate_m_s / NMI_H, 4)],
-        accuracy?.has_rates && [names[12], shown(accuracy.radial_95_rate_m_s / NMI_H, 4)],
-    ];
-    return all.filter(Boolean);
 }

@@ -69,10 +69,11 @@ class Page {
         const aside = element("aside", { "aria-label": text("Settings") }, ...this.tabs());
         this.lead = element("p", { class: "lead" }, text("opening"));
         [this.row, this.lesson] = [element("div", { class: "lessons" }), element("div", { class: "beside_picture" })];
+        // The first in the order of keys is the flight.
         this.main = element("main", {}, this.lead, this.display.made, this.cost.made);
-        document.getElementById("page").replaceChildren(header, this.row, element("div", { class: "left" }, this.lesson, aside), this.main, this.footer());
+        document.getElementById("page").replaceChildren(this.main, header, this.row, element("div", { class: "left" }, this.lesson, aside), this.footer());
         this.refresh();
-        this.show_lesson();
+        this.show_lesson(null);
     }
 
     footer() {
@@ -175,9 +176,10 @@ class Page {
         try {
             if (is_log) {
                 display.say(text("computing"));
-                const { samples, duration_s } = await this.pilot.ask("log", { file, text: scene.faults.length ? null : scene.text });
+                const { samples, duration_s, findings } = await this.pilot.ask("log", { file, text: scene.faults.length ? null : scene.text });
                 [display.previewed, display.log_name] = [null, file.name];
                 const [fault] = fly_log(scene, file.name);
+                display.show_findings(findings);
                 display.say(fault ? scene.told(fault) : text("log_read", file.name, samples, shown_s(duration_s)), Boolean(fault));
             } else {
                 const written = await text_of(file);
@@ -206,6 +208,7 @@ class Page {
     opened({ hash = null, lesson = null, is_first = false } = {}) {
         const was_own = this.open.hash !== null;
         this.open = { hash, lesson, is_first, text: hash === null ? null : this.scene.text };
+        this.display.forget_curves();
         if (was_own || hash !== null) this.show_lesson();
         this.refresh("text");
     }
@@ -227,13 +230,14 @@ class Page {
         if (lesson.shows === "cost") this.cost.measure_chosen();
     }
 
-    /** Shows the row of the lessons, and the open one with what it looks at. */
-    show_lesson() {
+    /** Shows the row of the lessons, and the open one with what it looks at; `shows` is null: with the chosen quantity. */
+    show_lesson(shows = this.open.lesson?.shows ?? "position") {
         const { lesson } = this.open;
         this.row.replaceChildren(row_of(this.lessons, this.open));
         this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson, this.scene, () => this.display.fly())] : []));
         refresh_within(this.lesson);
-        this.display.look_at(lesson?.shows ?? "position", (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })));
+        this.display.call = () => Array.from(this.lesson.querySelectorAll(".slider output"), (own) => own.value).join(", ");
+        this.display.look_at(shows, (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })));
         if (lesson?.shows === "cost") this.lead.after(this.cost.made, this.display.made);
         else this.lead.after(this.display.made, this.cost.made);
     }

@@ -15,14 +15,25 @@ function flight_of(sins, name) {
     return other || name;
 }
 
+/** The text of a built-in scene. */
+function text_of_builtin(sins, name) {
+    const scene = sins.scene_create_builtin(name), written = sins.scene_write(scene);
+    scene.close();
+    return written;
+}
+
 /** take_file(file) takes a log or a scene. */
 export function trajectory(scene, take_file) {
     const { sins } = scene, names = scene.builtins();
     const flown_names = [...new Set(names.map((name) => flight_of(sins, name)))];
     const named = (all) => options(all.map((name) => [name, label(`builtin.${name}`, name)]));
     const whole = element("select", { "aria-label": text("Whole scene"), "data-path": "scene" }, ...named(names));
-    whole.value = "simulation2";
+    /** The scene that flies, where it is none of the list. */
+    const own = element("option", { value: "", hidden: true });
+    whole.prepend(own);
+    const texts = new Map(names.map((name) => [name, text_of_builtin(sins, name)]));
     const take = element("button", { onclick: () => scene.open(sins.scene_create_builtin(whole.value)), "data-do": "open_builtin" }, text("Open"));
+    whole.onchange = () => (take.disabled = whole.value === "");
     const source = element("select", { id: "source" }, ...options(parts("sources").slice(0, 3).map((name, k) => [String(k), name])));
     const builtin = element("select", { id: "builtin", "data-path": "flight.builtin" }, ...named(flown_names));
     const choose_log = () => choose(".csv,text/csv,.igc,.gpx,.fdr", take_file);
@@ -48,6 +59,7 @@ export function trajectory(scene, take_file) {
     const start = group(text("Start of the flight"), fields(scene, of_flight((name) => !is_general(name) && name !== "file" && name !== "builtin")));
     const table = group(text("Columns of the log"), fields(scene, scene.keys.filter((key) => key.section === "log")));
     const path = group(text("Manoeuvres"), items(scene, "manoeuvre", () => NEW_MANOEUVRE));
+    let shown_text = null;
     const made = element(
         "div",
         {},
@@ -61,8 +73,15 @@ export function trajectory(scene, take_file) {
     made.refresh = () => {
         const { flight } = sins.scene_get_setup(scene.handle), kind = [MANOEUVRES, BUILTIN, LOG][flight]; // enum sins_scene_flight
         source.selectedIndex = kind;
+        const written = scene.text;
+        if (written !== shown_text) {
+            shown_text = written;
+            own.textContent = scene.get("flight.title") || log_of(scene) || text("own_scene");
+            whole.value = names.find((name) => texts.get(name) === written) ?? "";
+            whole.onchange();
+        }
         rows.forEach((own, k) => (own.hidden = kind !== [BUILTIN, LOG][k]));
-        for (const own of [start, path]) own.hidden = kind !== MANOEUVRES;
+        for (const part of [start, path]) part.hidden = kind !== MANOEUVRES;
         table.hidden = kind !== LOG;
         if (kind === BUILTIN) builtin.value = flight_of(sins, scene.get("flight.builtin"));
         log_name.value = kind === LOG ? scene.get("flight.file") : "";

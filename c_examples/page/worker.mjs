@@ -75,8 +75,9 @@ export function serve() {
             if (flight?.samples.log) end();
             log?.close();
             log = parsed;
-            const { samples, duration_s, title } = sins.log_get_info(log);
-            return { samples: Number(samples), duration_s, title };
+            const { samples, duration_s } = sins.log_get_info(log);
+            const options = text ? with_scene(text, (scene) => sins.scene_get_options(scene)) : null;
+            return { samples: Number(samples), duration_s, findings: findings_of(sins, log, options) };
         },
         /** The path of a flight that is not flown yet. */
         path({ text }) {
@@ -130,6 +131,19 @@ export function serve() {
             postMessage({ number: data.number, fault: fault_of(error) });
         }
     };
+}
+
+/** What the judge finds in a log, with the Earth of these options: [{level, sentence}], the worst first. */
+function findings_of(sins, log, options) {
+    const judge = sins.judge_create(options);
+    try {
+        sins.judge_push_log(judge, log);
+        const found = sins.array(sins.finding, sins.judge_get_findings(judge, null));
+        if (found.length > 0) sins.judge_get_findings(judge, found);
+        return Array.from({ length: found.length }, (_, k) => found.at(k).copy()).map(({ level, sentence }) => ({ level, sentence }));
+    } finally {
+        judge.close();
+    }
 }
 
 /** The other side: a worker of the page. */

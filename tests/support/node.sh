@@ -2,6 +2,8 @@
 
 # Drives Chromium. Without the browsers of its own, which it does not install by itself.
 playwright=playwright-core@1.65.1
+# Finds what keeps people from using a page.
+axe=axe-core@4.14.1
 # Draws the curves of the page.
 uplot=uplot@1.6.32
 # Checks workflows of forges.

@@ -148,6 +148,8 @@ test("a lesson whose scene is changed stays in the address; another scene leaves
     await page.waitForSelector("body[data-ready]");
     await until(page, /^Finished: 12 h/);
     assert.equal(await page.locator(".lesson h2").innerText(), "Why 84 minutes?");
+    assert.equal(await page.locator("[data-do=open_builtin]").isDisabled(), true); // the list shows the lesson's scene
+    await page.selectOption('[data-path="scene"]', "rest");
     await page.click("[data-do=open_builtin]");
     assert.equal(await page.locator(".lesson").count(), 0);
     await page.waitForFunction(() => location.hash.startsWith("#scene="));

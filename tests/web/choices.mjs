@@ -1,0 +1,128 @@
+// What a user chooses at the page and what it then shows: kept curves, the quantity, the list of scenes, logs with what is wrong in them.
+//
+//     SINS=target/release/sins node --test tests/web/choices.mjs      see tests/web.sh
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { writeFileSync } from "node:fs";
+import test, { after, before } from "node:test";
+
+import { at_times, tick_texts } from "../../c_examples/page/curves.mjs";
+import { lessons_of } from "../../c_examples/page/lessons_of.mjs";
+import { drop, fly, opened, out, press, set, start, stop, until, write } from "./user.mjs";
+
+const { SINS } = process.env;
+const LESSONS = lessons_of("c_examples/lessons");
+
+before(start);
+after(stop);
+
+test("curves are kept: drawn below the next flight in colours of their own, in any language, until they are removed", async (context) => {
+    const page = await opened(context, { hash: "#lesson=gyros" });
+    await until(page, /^Finished/);
+    const names = () => page.locator(".plots .uplot:first-child .u-series:not(:first-child) th .u-label").allInnerTexts();
+    const data = () => page.evaluate(() => document.querySelectorAll(".plots .uplot").length), slide = async (place) => {
+        await page.locator('[data-slides="gyro.bias_sigma_deg_h"]').fill(String(place));
+        await until(page, /^Finished/);
+        await page.waitForTimeout(300);
+    };
+    const before = await names();
+    assert.equal(await page.locator("[data-do=forget]").isVisible(), false);
+    for (let k = 1; k <= 4; k++) {
+        await slide(k);
+        await press(page, "keep");
+    }
+    assert.equal(await page.locator("[data-do=keep]").isDisabled(), true); // four are kept at most
+    assert.deepEqual(await names(), ["0.001 °/h", "0.01 °/h", "0.1 °/h", "1 °/h"].map((own) => `${own}, 10 µg, 0`).concat(before));
+    await slide(5);
+    assert.deepEqual([(await names()).length, await data()], [5, 3]);
+    assert.ok(await page.evaluate(() => {
+        const canvas = document.querySelector(".plots canvas"), { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height), inks = new Set();
+        for (let k = 0; k < data.length; k += 4) if (data[k + 3] === 255) inks.add(`${data[k]},${data[k + 1]},${data[k + 2]}`);
+        return inks.has("106,79,179"); // that of a tenth of the error
+    }));
+    await page.selectOption("#language", "zh");
+    assert.equal((await names()).length, 5);
+    await page.selectOption("#language", "en");
+    await press(page, "forget");
+    assert.deepEqual(await names(), before);
+    await press(page, "keep");
+    await page.getByRole("link", { name: LESSONS[0].en.title, exact: true }).click(); // another lesson begins anew
+    await until(page, /^Finished: 24 h/);
+    assert.deepEqual(await names(), before);
+});
+
+test("the chosen quantity stays when the language changes, the list says what flies, and Start is the first stop of Tab", async (context) => {
+    const page = await opened(context, { hash: "" });
+    await until(page, /^Finished/);
+    await page.keyboard.press("Tab");
+    assert.equal(await page.evaluate(() => document.activeElement.dataset.do), "start");
+    await page.selectOption("#quantity", "2");
+    await page.selectOption("#language", "zh");
+    assert.equal(await page.locator("#quantity").inputValue(), "2");
+    await page.selectOption("#language", "en");
+    const listed = () => page.evaluate(() => document.querySelector('[data-path="scene"]').selectedOptions[0].textContent);
+    assert.match(await listed(), /^The paper's simulation 2: a patrol of 48 hours/); // at another rate, so not the built-in one
+    for (const own of ["rest", "aerobatics"]) {
+        await page.selectOption('[data-path="scene"]', own);
+        await page.click("[data-do=open_builtin]");
+        assert.equal(await page.locator('[data-path="scene"]').inputValue(), own);
+    }
+    await set(page, "flight.title", "My own");
+    assert.equal(await listed(), "My own");
+});
+
+test("what the judge finds in a log stands above its curves, and goes with the log", async (context) => {
+    // A flight to the east at 75 m/s whose velocity is in knots, and the same without the fault.
+    const head = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s\n";
+    const log = (speed) => head + Array.from({ length: 601 }, (_, k) => `${k / 2},0,${(11 + ((k / 2) * 75 * 180) / Math.PI / 6378137).toFixed(12)},500,0,0,90,${speed},0,0\n`).join("");
+    const [knots, good] = [[75 * 3600 / 1852, "knots"], [75, "good"]].map(([speed, name]) => (writeFileSync(`${out}/${name}.csv`, log(speed)), `${out}/${name}.csv`));
+    const page = await opened(context, { hash: "#rest" }), found = () => page.locator(".findings li").allInnerTexts();
+    await drop(page, knots);
+    await until(page, /601 samples/);
+    // Exit code 2: it is unusable.
+    const said = JSON.parse(spawnSync(SINS, ["log", knots, "--json"], { encoding: "utf8" }).stdout.split("\n")[0]).findings.filter(({ kind }) => kind), shown = await found();
+    assert.equal(shown.length, said.length);
+    for (const [k, { level, sentence }] of said.entries()) assert.ok(shown[k].startsWith(`${level[0].toUpperCase()}${level.slice(1)}: ${sentence}`), `${shown[k]}, not ${sentence}`);
+    assert.match((await found())[0], /^Unusable: velocity is 1\.94 times the displacement \(knots\?\)/);
+    await fly(page);
+    const [list, curves] = await page.evaluate(() => [".findings", ".plots"].map((own) => document.querySelector(own).getBoundingClientRect()));
+    assert.ok(list.height > 0 && list.bottom <= curves.top);
+    await page.selectOption("#language", "zh");
+    assert.match((await found())[0], /^不可用: /);
+    await page.selectOption("#language", "en");
+    await drop(page, good);
+    await until(page, /good\.csv: 601 samples/);
+    assert.deepEqual((await found()).filter((own) => /^Unusable/.test(own)), []);
+    await drop(page, knots);
+    await until(page, /knots\.csv: 601 samples/);
+    await page.selectOption('[data-path="scene"]', "rest");
+    await press(page, "open_builtin");
+    assert.equal(await page.locator(".findings").isVisible(), false);
+});
+
+test("a heading that is north to two decimals is 0.00", async (context) => {
+    const page = await opened(context, { hash: "#rest" });
+    await write(page, '[flight]\nrate_hz = 10\nheading_deg = 359.9999\n[[manoeuvre]]\nkind = "rest"\nduration_s = 60\n');
+    await fly(page);
+    const cells = await page.locator("tbody tr", { hasText: "Attitude" }).locator("td").allInnerTexts();
+    assert.deepEqual(cells.map((own) => own.split(" ")[2]), ["0.00", "0.00"]);
+});
+
+test("numbers at an axis have one notation, and kept curves are drawn at the times of the flight", () => {
+    for (const [ticks, texts] of [
+        [[0, 0.5, 1, 1.5], ["0.0", "0.5", "1.0", "1.5"]],
+        [[-200, 0, 200], ["-200", "0", "200"]],
+        [[0, 5e-7, 1e-6], ["0", "5e-7", "1e-6"]],
+        [[0, 0.5e-6, 1e-6, 1.5e-6], ["0", "5.0e-7", "1.0e-6", "1.5e-6"]],
+        [[-0.00001, 0, 0.00001], ["-0.00001", "0.00000", "0.00001"]],
+        [[5e20, 1e21], ["5e+20", "1e+21"]],
+    ]) assert.deepEqual(tick_texts(ticks), texts);
+    for (let k = 0; k < 2000; k++) {
+        const step = 10 ** Math.round(60 * Math.sin(k) / 3) * [1, 2, 2.5, 5][k % 4], all = tick_texts([-2, -1, 0, 1, 2, 3].map((own) => own * step)).filter((own) => Number(own) !== 0);
+        assert.ok(new Set(all.map((own) => own.includes("e"))).size === 1 && new Set(all.map((own) => own.split("e")[0].split(".")[1]?.length)).size === 1, all.join(" "));
+        assert.equal(new Set(all).size, 5, all.join(" "));
+    }
+    assert.deepEqual(at_times([0, 1, 3], [10, 20, 40], [0, 0.5, 1, 2, 3, 4]), [10, 15, 20, 30, 40, null]);
+    assert.deepEqual(at_times([1, 2], [5, 6], [0, 1]), [null, 5]);
+});
