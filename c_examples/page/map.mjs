@@ -1,6 +1,6 @@
 // The map: the true track and that of the INS, in kilometres east and north of the start, by uPlot.
 
-import { colour } from "./curves.mjs";
+import { colour, tick_texts } from "./curves.mjs";
 import { parts, text } from "./texts.mjs";
 
 const RADIUS_KM = 6371;
@@ -53,7 +53,7 @@ export class Track {
 
     make() {
         const grid = { stroke: colour("grid"), width: 1 }, font = "12px system-ui, sans-serif", names = parts("values");
-        const axis = (name) => ({ stroke: colour("ink"), grid, ticks: grid, font, labelFont: font, labelSize: 18, label: `${name} [km]`, space: 45 });
+        const axis = (name) => ({ stroke: colour("ink"), grid, ticks: grid, font, labelFont: font, labelSize: 18, label: `${name} [km]`, space: 45, values: (_, ticks) => tick_texts(ticks) });
         const [east, north] = parts("axes_enu");
         const line = (label, ink, width) => ({ label, stroke: colour(ink), facets: [{ scale: "x", auto: true }, { scale: "y", auto: true }], paths: track_path(colour(ink), width) });
         const series = [line(names[1], "data1", 3), line(names[0], "data2", 1.25)];
