@@ -236,7 +236,7 @@ fn digit(point: &Point, at: (f64, f64)) -> Option<Note> {
         1 => rung.subsamples.to_string(),
         updates => format!("{}×{updates}", rung.subsamples),
     };
-    has_room.then(|| Note { at, shift: (0.0, 0.0), pen: Pen::Digit, text })
+    has_room.then_some(Note { at, shift: (0.0, 0.0), pen: Pen::Digit, text })
 }
 
 #[cfg(test)]
