@@ -9,7 +9,7 @@ import test, { after, before } from "node:test";
 
 import { at_times, tick_texts } from "../../c_examples/page/curves.mjs";
 import { lessons_of } from "../../c_examples/page/lessons_of.mjs";
-import { drop, fly, opened, out, press, set, start, stop, until, write } from "./user.mjs";
+import { drop, fly, opened, out, press, same_as_program, set, start, stop, until, write } from "./user.mjs";
 
 const { SINS } = process.env;
 const LESSONS = lessons_of("c_examples/lessons");
@@ -125,4 +125,31 @@ test("numbers at an axis have one notation, and kept curves are drawn at the tim
     }
     assert.deepEqual(at_times([0, 1, 3], [10, 20, 40], [0, 0.5, 1, 2, 3, 4]), [10, 15, 20, 30, 40, null]);
     assert.deepEqual(at_times([1, 2], [5, 6], [0, 1]), [null, 5]);
+});
+
+test("flight records in GPX, IGC and FDR, and a table with semicolons, fly when they are dropped: as in sins fly", async (context) => {
+    // A circle of 2 km at 60 m/s, a row each second: time [s], latitude and longitude [deg], height [m], roll and heading [deg].
+    const rows = Array.from({ length: 240 }, (_, t) => {
+        const turned = (60 / 2000) * t, deg = 180 / Math.PI / 6378137;
+        return [t, 48 + 2000 * Math.sin(turned) * deg, 11 + (2000 * (1 - Math.cos(turned)) * deg) / Math.cos((48 * Math.PI) / 180), 900 + t, 10.4, ((turned * 180) / Math.PI) % 360];
+    });
+    const two = (value) => String(value).padStart(2, "0"), clock = (t, by) => [10, Math.floor(t / 60), t % 60].map(two).join(by);
+    const igc_angle = (own, digits, [plus, minus]) => `${String(Math.floor(own)).padStart(digits, "0")}${String(Math.round((own % 1) * 60000)).padStart(5, "0")}${own < 0 ? minus : plus}`;
+    const logs = {
+        "circle.gpx": `<?xml version="1.0"?>\n<gpx version="1.1"><trk><trkseg>\n${rows.map(([t, lat, lon, height]) => `<trkpt lat="${lat.toFixed(8)}" lon="${lon.toFixed(8)}"><ele>${height}</ele><time>2026-07-25T${clock(t, ":")}Z</time></trkpt>\n`).join("")}</trkseg></trk></gpx>\n`,
+        "circle.igc": `AXXX001\r\nHFDTE250726\r\n${rows.map(([t, lat, lon, height]) => `B${clock(t, "")}${igc_angle(lat, 2, "NS")}${igc_angle(lon, 3, "EW")}A${String(height).padStart(5, "0").repeat(2)}\r\n`).join("")}`,
+        "circle.fdr": `A\n4\n\nCOMM, made up\nACFT, Aircraft/x.acf\nTAIL, N1\nDATE, 05/01/2026\nPRES,29.92\nDISA,0\nWIND,230,16\nDREF, sim/cockpit2/gauges/actuators/barometer_setting_in_hg_pilot 1.0\n\nCOMM, degrees\n${rows.map(([t, lat, lon, height, roll, heading]) => `${clock(t, ":")}, ${lon.toFixed(9)}, ${lat.toFixed(9)}, ${(height / 0.3048).toFixed(3)}, ${heading.toFixed(4)}, 0, ${roll}, 29.92\n`).join("")}`,
+        "circle.csv": `t;lat;lon;h;roll;hdg\n${rows.map((row) => row.map((own) => own.toFixed(9).replace(".", ",")).join(";")).join("\n")}\n`,
+    };
+    const columns = '[log]\nseparator = "semicolon"\ntime = "t"\nlatitude = "lat"\nlongitude = "lon"\nheight = "h"\nroll = "roll"\npitch = 0\nheading = "hdg"\nsmooth = "auto"\n';
+    for (const [name, log] of Object.entries(logs)) {
+        writeFileSync(`${out}/flown/${name}`, log);
+        const page = await opened(context, { hash: "#rest" });
+        await write(page, `[flight]\nfile = "none.csv"\n[gyro]\npreset = "tactical"\n${name.endsWith("csv") ? columns : ""}[output]\nevery_s = 0.5\n`);
+        await drop(page, `${out}/flown/${name}`);
+        await until(page, new RegExp(`^${name}: \\d+ samples, 2\\d\\d`));
+        await fly(page);
+        await same_as_program(page, `circle_${name.slice(-3)}`);
+        await page.context().close();
+    }
 });
