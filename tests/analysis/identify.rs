@@ -13,6 +13,7 @@ use sins::signal::mounting::MountingParameters;
 use sins::truth::flight::Flight;
 use sins::{Options, Simulator, Step};
 
+mod check;
 mod unfit;
 
 use super::support::draws::Draws;

@@ -124,7 +124,7 @@ fn close(blocks: &mut Vec<Block>, block: Option<Block>, length_s: f64) -> Result
 }
 
 /// Rejects increments that go back in time, and signals that no sensor has.
-fn check(record: &[RecordedIncrement]) -> Result<(), Error> {
+pub(super) fn check(record: &[RecordedIncrement]) -> Result<(), Error> {
     let mut last_s = f64::NEG_INFINITY;
     for (index, row) in record.iter().enumerate() {
         check_range("record.interval_s", row.interval_s, 1e-6, 60.0).map_err(|error| error.at(index))?;

@@ -42,6 +42,7 @@
 
 mod axes;
 mod blocks;
+pub mod check;
 mod clock;
 mod jump;
 mod noise;
@@ -61,10 +62,11 @@ pub use parameter::{Estimate, PARAMETERS, TriadEstimate};
 pub use path::IdealPath;
 pub use prior::Prior;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::base::error::{Error, Rule, check_range};
-use crate::base::math::{rotation_matrix, rotation_quaternion};
+use crate::base::math::{Euler, euler_from_attitude, rotation_matrix, rotation_quaternion};
+use crate::earth::state::BodyAxes;
 use parameter::{Place, to_block_axes};
 use rows::{About, Rows};
 use solve::{Matrix, Solution, Vector};
@@ -145,12 +147,15 @@ pub struct Identified {
     pub blocks: usize,
     /// Length of a block on average \[s\].
     pub block_s: f64,
+    /// A square root of the covariance of all parameters.
+    root: Matrix,
 }
 
 impl Identified {
     fn new(
         request: &Request,
         (x, covariance): &Solution,
+        root: Matrix,
         noise: [SensorNoise; 6],
         about: &About,
         axes: Axes,
@@ -184,7 +189,29 @@ impl Identified {
             noise,
             blocks,
             block_s: rows.blocks.iter().map(blocks::Block::length_s).sum::<f64>() / blocks as f64,
+            root,
         }
+    }
+
+    /// Attitude of the block in the vehicle, whose axes are `axes` \[rad\].
+    pub fn boresight(&self, axes: BodyAxes) -> Euler {
+        boresight(&self.rotation, axes)
+    }
+
+    /// Time of the path at `time_s` of the record \[s\].
+    fn path_time_s(&self, time_s: f64) -> f64 {
+        time_s + self.offset_s.value + self.drift.value * (time_s - self.middle_s)
+    }
+
+    /// Time of the record at `time_s` of the path \[s\].
+    fn record_time_s(&self, time_s: f64) -> f64 {
+        let since_s = time_s - self.offset_s.value - self.middle_s;
+        self.middle_s + since_s / (1.0 + self.drift.value)
+    }
+
+    /// Time of the path at which the record of the fit begins \[s\], if it has no gap.
+    fn first_path_time_s(&self) -> f64 {
+        self.path_time_s(self.middle_s - 0.5 * self.blocks as f64 * self.block_s)
     }
 
     /// Biases \[rad/s\] and \[m/s²\] of gyros and accelerometers, of those that are seen; the others 0.
@@ -195,6 +222,13 @@ impl Identified {
             })
         })
     }
+}
+
+/// Attitude \[rad\] of a block whose signals are `rotation` times those of the vehicle.
+fn boresight(rotation: &Matrix3<f64>, axes: BodyAxes) -> Euler {
+    let from_block = Rotation3::from_matrix_unchecked(rotation.transpose());
+    let turn = UnitQuaternion::from_rotation_matrix(&from_block);
+    euler_from_attitude(&axes.in_vehicle(turn.quaternion()))
 }
 
 /// Finds the errors of the sensors that made `record` along `path`.

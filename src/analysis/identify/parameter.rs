@@ -1,5 +1,7 @@
 //! The parameters that a record may show.
 
+use nalgebra::{Matrix3, Vector3};
+
 use super::noise::{COEFFICIENTS, Coefficients};
 use super::solve::{Matrix, Vector};
 
@@ -96,6 +98,18 @@ pub struct TriadEstimate {
     pub bias: [Estimate; 3],
     /// Scale factor errors and misalignments.
     pub elements: [[Estimate; 3]; 3],
+}
+
+impl TriadEstimate {
+    /// The biases.
+    pub(super) fn biases(&self) -> Vector3<f64> {
+        Vector3::from_fn(|axis, _| self.bias[axis].value)
+    }
+
+    /// The matrix of scale factor errors and misalignments.
+    pub(super) fn error_matrix(&self) -> Matrix3<f64> {
+        Matrix3::from_fn(|row, column| self.elements[row][column].value)
+    }
 }
 
 #[cfg(test)]

@@ -19,6 +19,10 @@ pub(super) fn six(increment: &Increment) -> Six {
     Six::from_column_slice(&[angle.x, angle.y, angle.z, velocity.x, velocity.y, velocity.z])
 }
 
+pub(super) fn six_increment(six: &Six) -> Increment {
+    Increment { angle: six.fixed_rows::<3>(0).into_owned(), velocity: six.fixed_rows::<3>(3).into_owned() }
+}
+
 /// What perfect sensors measure along a path, body axes.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct IdealPath {
@@ -33,11 +37,21 @@ impl IdealPath {
         options: &Options,
         samples: impl Iterator<Item = Result<FlightSample, Error>>,
     ) -> Result<Self, Refusal> {
+        Self::fly_reading(options, samples, |_| Ok(()))
+    }
+
+    /// As [`Self::fly`]; calls `read` after each step.
+    pub(super) fn fly_reading(
+        options: &Options,
+        samples: impl Iterator<Item = Result<FlightSample, Error>>,
+        mut read: impl FnMut(&Simulator) -> Result<(), Error>,
+    ) -> Result<Self, Refusal> {
         let mut simulator = Simulator::new(options)?;
         let mut path = Self::default();
         fly_looking(&mut simulator, samples, |_, simulator| {
             if let Some(imu) = simulator.imu() {
                 path.push(imu.time_s, imu.interval_s, &imu.ideal)?;
+                read(simulator)?;
             }
             Ok(ControlFlow::Continue(()))
         })?;

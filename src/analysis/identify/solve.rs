@@ -21,6 +21,8 @@ const ROUNDS: usize = 8;
 /// Changes of clock [s] and mounting [rad] that end the rounds.
 const CLOCK_DONE_S: f64 = 1e-7;
 const MOUNTING_DONE: f64 = 1e-8;
+/// Largest step of the last round, in standard deviations of the solution: a larger one shows that the fit does not converge.
+const LAST_STEP: f64 = 0.1;
 /// Prior deviations of the shift of the clock about the one that was found [s], and of its drift [1].
 pub(super) const CLOCK_S: f64 = KNOWN_S;
 pub(super) const DRIFT: f64 = 1e-4;
@@ -67,9 +69,17 @@ pub(super) fn identify(
     let change = to_block_axes();
     let solution = (change * x, change * covariance * change.transpose());
     let noise = fitted.evidences.map(|one| one.noise);
-    let found = Identified::new(request, &solution, noise, &fitted.about, start.1, &fitted.rows);
+    let root = change * root(covariance, &fitted.prior)?;
+    let found = Identified::new(request, &solution, root, noise, &fitted.about, start.1, &fitted.rows);
     check_priors(&found)?;
     Ok(found)
+}
+
+/// A square root of the covariance, scaled by the priors: times normal numbers, it gives errors of the solution.
+fn root(covariance: &Matrix, prior: &Vector) -> Result<Matrix, Error> {
+    let scaled = Matrix::from_fn(|i, j| covariance[(i, j)] / (prior[i] * prior[j]));
+    let factor = scaled.cholesky().ok_or_else(|| Error::bad_state(TOO_EXACT))?.l();
+    Ok(Matrix::from_diagonal(prior) * factor)
 }
 
 /// Size and time of a jump by fits of the record without it.
@@ -185,6 +195,9 @@ fn fit(
         let clock_s =
             x[Place::CLOCK].abs() + x[Place::DRIFT].abs() * (blocks[blocks.len() - 1].end_s - about.middle_s);
         if is_last || (round > 0 && clock_s < CLOCK_DONE_S && (turn + common).norm() < MOUNTING_DONE) {
+            if is_last {
+                check_converged(&solution)?;
+            }
             // The last solution has the noise of all shapes.
             let (solution, evidences) = joint(&rows, request, &prior, &start, &about, Shapes::All)?;
             return Ok(Fitted { rows, solution, evidences, about, prior });
@@ -201,6 +214,21 @@ fn fit(
         shapes = Shapes::Of(evidences.map(|evidence| evidence.shape));
     }
     Err(Error::bad_state("the fit has no rounds"))
+}
+
+/// Rejects a fit whose last round still moves the clock or the mounting, about which it is linear.
+fn check_converged((x, covariance): &Solution) -> Result<(), Error> {
+    let in_sigmas = |place: usize| x[place].abs() / covariance[(place, place)].max(0.0).sqrt();
+    let places = [Place::mounting(0), Place::mounting(1), Place::mounting(2), Place::CLOCK, Place::DRIFT];
+    let step = places.into_iter().map(in_sigmas).fold(0.0, f64::max);
+    if step <= LAST_STEP {
+        return Ok(());
+    }
+    let rule = Rule::SentenceWith(
+        "standard deviations by which the last round of the fit still moves the clock or the mounting: the fit does not converge. Limit:",
+        LAST_STEP.into(),
+    );
+    Err(Error::invalid("record.fit", step, rule))
 }
 
 pub(super) type Solution = (Vector, Matrix);

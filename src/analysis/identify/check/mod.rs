@@ -1,0 +1,134 @@
+//! Does reality keep the prediction? A part of a record that was not identified is navigated from many starts, beside twins: virtual
+//! records of the identified sensors along the same path.
+//!
+//! ```text
+//!  true path ---> twin        sensors drawn from what was identified    -> record of the twin
+//!                                                                              |
+//!  record of the real sensors ---------------------------------------------> steps     on the clock and in the axes of the path
+//!                                                                              |
+//!  starts        flights of each duration within the part                  -> drift     navigation less truth at the end
+//!                                                                              |
+//!                                                                          verdict     the real record among the twins
+//! ```
+//!
+//! - **The same treatment.** The real record and each twin pass through the same code: the clock, the axes and the errors that were
+//!   identified are removed, the mechanization of the library navigates from the truth, and the truth is subtracted.
+//! - **Twins.** A twin draws its parameters from the joint distribution that the fit found, also those that the motion does not show. So
+//!   its drift contains what the fit does not know. All flights of a twin have the same parameters, and its noise goes on from flight to
+//!   flight, as those of the real record do.
+//! - **Figures.** The figure of a record and a duration is the median of the drifts of its flights. Flights of one record depend on each
+//!   other, because they share biases and overlap. So the verdict does not count flights: it compares the figure of the real record with
+//!   those of the twins, whose flights depend on each other in the same way.
+//! - **Verdict.** z is the logarithm of the figure, less the mean of the twins, over their standard deviation. The limit of |z| is that
+//!   which 95 % of the twins keep at all durations together: a right model agrees in 95 % of the cases.
+//!
+//! The number of flights, twins and durations is bounded; memory is that of the path and the record.
+
+mod drift;
+mod starts;
+mod truth;
+mod twin;
+mod verdict;
+
+pub use truth::Truth;
+pub use verdict::{Agreement, Span};
+
+use super::{Identified, RecordedIncrement};
+use crate::base::error::{Error, Rule, check_integer, check_range};
+use crate::base::memory::room;
+use drift::{Steps, medians};
+use starts::Starts;
+
+/// Durations of the flights \[s\], as long as two of them have room in the part that is checked.
+pub const DURATIONS_S: [f64; 6] = [10.0, 30.0, 60.0, 120.0, 300.0, 600.0];
+
+/// What a check is made with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CheckRequest {
+    /// Number of twins, 40 to 1000.
+    pub twins: usize,
+    /// Seed of their random numbers.
+    pub seed: u64,
+    /// Standard deviations of the errors of the truth, with which a flight begins.
+    pub truth: TruthSigma,
+}
+
+impl Default for CheckRequest {
+    fn default() -> Self {
+        Self { twins: 100, seed: 1, truth: TruthSigma::default() }
+    }
+}
+
+impl CheckRequest {
+    /// Checks every field.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_integer("check.twins", self.twins, 40, 1000)?;
+        self.truth.validate()
+    }
+}
+
+/// Standard deviations of the errors of the truth.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TruthSigma {
+    /// Position, each axis \[m\], 0 to 1e4.
+    pub position_m: f64,
+    /// Velocity, each axis \[m/s\], 0 to 1e3.
+    pub velocity_m_s: f64,
+    /// Tilt about east and about north \[rad\], 0 to 1.
+    pub tilt_rad: f64,
+    /// Heading \[rad\], 0 to 1.
+    pub heading_rad: f64,
+}
+
+impl TruthSigma {
+    fn validate(&self) -> Result<(), Error> {
+        check_range("truth.position_m", self.position_m, 0.0, 1e4)?;
+        check_range("truth.velocity_m_s", self.velocity_m_s, 0.0, 1e3)?;
+        check_range("truth.tilt_rad", self.tilt_rad, 0.0, 1.0)?;
+        check_range("truth.heading_rad", self.heading_rad, 0.0, 1.0)
+    }
+}
+
+/// What a check has found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// Length of the part of the record that was flown \[s\].
+    pub length_s: f64,
+    /// Number of twins.
+    pub twins: usize,
+    /// Each duration.
+    pub spans: Vec<Span>,
+    /// Verdict on the model: that of the duration that is farthest off.
+    pub agreement: Agreement,
+}
+
+/// Flies `record`, a part of the record that `found` was not identified from, and its twins.
+pub fn check(
+    truth: &Truth,
+    found: &Identified,
+    record: &[RecordedIncrement],
+    request: &CheckRequest,
+) -> Result<Check, Error> {
+    request.validate()?;
+    super::blocks::check(record)?;
+    let removed = Steps::new(record, found, true)?;
+    let within = removed.within(truth)?;
+    let length_s = within.1 - within.0;
+    let starts = Starts::new(&removed, within)?;
+    if starts.spans.is_empty() {
+        let rule = Rule::AtLeast(
+            "seconds of the part of the record that is checked and that the path has; must be at least",
+            (2.0 * DURATIONS_S[0]).into(),
+        );
+        return Err(Error::invalid("check.length_s", length_s, rule));
+    }
+    let real = medians(truth, &removed, &starts, None)?;
+    let free = medians(truth, &Steps::new(record, found, false)?, &starts, None)?;
+    let mut twins = room(request.twins)?;
+    for run in 0..request.twins as u64 {
+        let twin = twin::Twin::draw(found, request, run, within.0);
+        let steps = Steps::new(&twin.record(truth, found, within)?, found, true)?;
+        twins.push(medians(truth, &steps, &starts, Some(&twin))?);
+    }
+    verdict::check(length_s, &starts, (&free, &real), &twins)
+}
