@@ -28,16 +28,30 @@ pub struct Table {
     path: PathBuf,
     columns: Vec<(String, Vec<f64>)>,
     rows: usize,
+    /// Numbers of the rows of the file that were left out, from 1.
+    left_out: Vec<usize>,
     lines: Numbers,
 }
 
-/// The columns of a header that are wanted: their names, and the place of one that has times, with its reader.
-pub type Chosen = (Vec<String>, Option<(String, Clock)>);
+/// The columns of a header that are wanted: their names, and the one that has times, with its reader.
+#[derive(Default)]
+pub struct Chosen {
+    pub names: Vec<String>,
+    pub clock: Option<(String, Clock)>,
+    /// Rows in which a value is missing are left out, unless they are most: each row has its own time.
+    pub may_have_holes: bool,
+}
+
+/// Whether a field has no value.
+fn is_missing(text: &str) -> bool {
+    let text = text.trim();
+    text.is_empty() || text.eq_ignore_ascii_case("nan")
+}
 
 impl Table {
     /// Reads all of `input`; `path` is for the errors.
     pub fn read(path: &Path, input: impl Read) -> Result<Self, Failure> {
-        Self::read_some(path, input, |names| Ok((names.to_vec(), None)))
+        Self::read_some(path, input, |names| Ok(Chosen { names: names.to_vec(), ..Chosen::default() }))
     }
 
     /// Reads the columns that `choose` selects from the header. The contents of other columns do not matter.
@@ -55,11 +69,12 @@ impl Table {
         }
         let names: Vec<String> =
             header.iter().map(|name| name.trim_start_matches('\u{feff}').trim().to_owned()).collect();
-        let (chosen, mut clock) = choose(&names)?;
+        let Chosen { names: chosen, mut clock, may_have_holes } = choose(&names)?;
         let is_chosen: Vec<bool> = names.iter().map(|name| chosen.contains(name)).collect();
         let timed = clock.as_ref().and_then(|(column, _)| names.iter().position(|name| name == column));
         let mut columns: Vec<(String, Vec<f64>)> = names.into_iter().map(|name| (name, Vec::new())).collect();
-        let mut rows = 0;
+        let (mut rows, mut left_out) = (0, Vec::new());
+        let mut first_hole = None;
         let mut row = StringRecord::new();
         while reader.read_record(&mut row).map_err(|error| Failure::of_file(path, &error))? {
             rows += 1;
@@ -68,6 +83,18 @@ impl Table {
                 let what =
                     format!("expected {} columns as in the header, found {}", columns.len(), row.len());
                 return Err(Failure::of_line(path, line(), &what));
+            }
+            if may_have_holes
+                && let Some(place) = (0..row.len()).find(|&place| is_chosen[place] && is_missing(&row[place]))
+            {
+                first_hole.get_or_insert_with(|| {
+                    let (name, text) = (&columns[place].0, &row[place]);
+                    let what =
+                        format!("column {} ({name}): expected a finite number, found \"{text}\"", place + 1);
+                    Failure::of_line(path, line(), &what)
+                });
+                left_out.push(rows);
+                continue;
             }
             for (place, ((name, values), text)) in columns.iter_mut().zip(&row).enumerate() {
                 let is_time = timed == Some(place);
@@ -90,8 +117,12 @@ impl Table {
                 }
             }
         }
+        if let Some(hole) = first_hole.filter(|_| 2 * left_out.len() > rows) {
+            return Err(hole);
+        }
+        rows -= left_out.len();
         let lines = reader.get_ref().numbers().clone();
-        Ok(Self { path: path.to_owned(), columns, rows, lines })
+        Ok(Self { path: path.to_owned(), columns, rows, left_out, lines })
     }
 
     /// Number of rows.
@@ -99,9 +130,15 @@ impl Table {
         self.rows
     }
 
+    /// Number of rows that were left out, and the line of the first.
+    pub fn left_out(&self) -> Option<(usize, u64)> {
+        self.left_out.first().map(|&first| (self.left_out.len(), self.lines.of(first)))
+    }
+
     /// The line of a row, counted from 0, in the file.
     pub fn line(&self, row: usize) -> u64 {
-        self.lines.of(row + 1)
+        let number = |number: usize, left_out: &usize| number + usize::from(*left_out <= number);
+        self.lines.of(self.left_out.iter().fold(row + 1, number))
     }
 
     /// Whether there is a column `name`.
@@ -160,10 +197,33 @@ mod tests {
     #[test]
     fn columns_that_nobody_wants_may_hold_anything() {
         let text = "\u{feff}t,note,x\n# later\n0,take-off,1\n1,,2\n";
-        let choose = |names: &[String]| Ok((vec![names[0].clone(), names[2].clone()], None));
+        let choose = |names: &[String]| {
+            Ok(Chosen { names: vec![names[0].clone(), names[2].clone()], ..Chosen::default() })
+        };
         let mut table = Table::read_some(Path::new("log.csv"), text.as_bytes(), choose).unwrap();
         assert_eq!((table.rows(), table.line(0), table.line(1)), (2, 3, 4));
         assert_eq!((table.take("t").unwrap(), table.take("x").unwrap()), (vec![0.0, 1.0], vec![1.0, 2.0]));
+    }
+
+    /// Rows without a value are left out and counted, and lines keep their numbers; where most rows have none, the first is named.
+    #[test]
+    fn rows_without_a_value_are_left_out() {
+        let read = |text: &str| {
+            let choose = |names: &[String]| {
+                let names = vec![names[0].clone(), names[2].clone()];
+                Ok(Chosen { names, may_have_holes: true, ..Chosen::default() })
+            };
+            Table::read_some(Path::new("log.csv"), text.as_bytes(), choose)
+        };
+        let mut table = read("t,note,x\n0,,\n1,,2\n2,,NaN\n3,,4\n4,,5\n").unwrap();
+        assert_eq!((table.rows(), table.left_out()), (3, Some((2, 2))));
+        assert_eq!([0, 1, 2].map(|row| table.line(row)), [3, 5, 6]);
+        assert_eq!(
+            (table.take("t").unwrap(), table.take("x").unwrap()),
+            (vec![1.0, 3.0, 4.0], vec![2.0, 4.0, 5.0])
+        );
+        let failure = read("t,note,x\n0,,1\n1,,\n2,,\n").err().unwrap().to_string();
+        assert_eq!(failure, "log.csv:3: column 3 (x): expected a finite number, found \"\"");
     }
 
     #[test]

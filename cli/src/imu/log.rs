@@ -14,7 +14,7 @@ use super::stamps::{self, Stamps};
 use crate::failure::Failure;
 use crate::given::open_table;
 use crate::progress::Progress;
-use crate::table::Table;
+use crate::table::{Chosen, Table};
 use crate::units::{significant, time_text};
 
 /// Longest step of stamps, in lengths of the rest of the record.
@@ -91,7 +91,9 @@ impl Log {
                 }
                 Stamp::Number(_) => None,
             });
-            Ok((names.collect(), clock))
+            // Where rows are counted, a row that is left out would move those behind it.
+            let may_have_holes = source.rate_hz.is_none() && time.is_some();
+            Ok(Chosen { names: names.collect(), clock, may_have_holes })
         })?;
         if table.rows() < FEWEST_SAMPLES {
             let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", table.rows());
@@ -110,7 +112,11 @@ impl Log {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let series = series.collect::<Result<_, Failure>>()?;
         let is_counted = source.rate_hz.is_some() && time.is_some();
-        let (pieces, remarks) = (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps));
+        let (pieces, mut remarks) = (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps));
+        if let Some((count, line)) = table.left_out() {
+            let rows = if count == 1 { "row without a value is" } else { "rows without a value are" };
+            remarks.push(format!("{count} {rows} left out, the first in line {line}"));
+        }
         Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: false, times_s })
     }
 

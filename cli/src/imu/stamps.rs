@@ -14,6 +14,11 @@ const FEW: usize = 5;
 /// Largest number of gaps, as a part of the rows: more of them are stamps that come in batches, each as late as the last row of its batch.
 const MOST_GAPS: f64 = 0.1;
 
+/// Stamps whose steps are whole numbers of intervals to this part of one do not scatter: each long step of them is a gap.
+const EVEN: f64 = 0.1;
+/// Longest step that is compared with whole numbers of intervals, which are known less well than a long gap.
+const LONGEST_EVEN: f64 = 100.0;
+
 /// Least usual step, as a part of the mean step: a gap is not longer than the record a million times.
 const SHORTEST: f64 = 1e-6;
 
@@ -128,9 +133,25 @@ fn found(times_s: &[f64], rows: &Range<usize>, begin_s: f64) -> Stamps {
     Stamps { interval_s, rows: times_s.len(), gaps: gaps.len(), pieces, lost, jitter }
 }
 
+/// Whether the steps are whole numbers of intervals, and most of them one.
+fn is_even(times_s: &[f64], interval_s: f64) -> bool {
+    let is_long = |step: &f64| *step > LONG * interval_s;
+    let is_whole = |step: f64| {
+        let intervals = step / interval_s;
+        let off = (intervals - intervals.round()).abs();
+        intervals > LONGEST_EVEN || (intervals.round() >= 1.0 && off < EVEN)
+    };
+    let long = steps(times_s).filter(is_long).count();
+    steps(times_s).all(is_whole) && long as f64 <= MOST_GAPS * times_s.len() as f64
+}
+
 /// The rows before gaps, and how many intervals each gap has more than one.
 fn gaps(times_s: &[f64], interval_s: f64) -> Vec<(usize, usize)> {
     let is_long = |step: &f64| *step > LONG * interval_s;
+    if is_even(times_s, interval_s) {
+        let long = steps(times_s).enumerate().filter(|(_, step)| is_long(step));
+        return long.map(|(row, step)| (row, (step / interval_s).round() as usize - 1)).collect();
+    }
     let apart = 2 * times_s.len() / (1 + steps(times_s).filter(is_long).count());
     let rows = if apart > MOST_ROWS { ROWS } else { apart.max(ROWS) };
     let mut gaps = Vec::new();
@@ -167,6 +188,15 @@ mod tests {
 
     fn jitter(k: usize) -> f64 {
         (k * 7919 % 97) as f64 / 97.0
+    }
+
+    /// Of stamps that do not scatter, single rows that are lost near to each other are gaps too, and no row is moved.
+    #[test]
+    fn single_rows_are_missed_where_stamps_do_not_scatter() {
+        let lost = [300, 304, 306, 308, 310, 311, 700, 998];
+        let found = stamps(|k| lost.contains(&k), |_| 0.0);
+        assert_eq!((found.gaps, found.lost), (7, 8), "{found:?}");
+        assert!((found.interval_s / 0.01 - 1.0).abs() < 1e-9 && found.jitter < 1e-6, "{found:?}");
     }
 
     #[test]
