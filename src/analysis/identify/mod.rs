@@ -53,6 +53,7 @@ mod prior;
 mod rows;
 mod solve;
 mod unfit;
+mod walk;
 mod whiten;
 
 pub use axes::Axes;
@@ -70,6 +71,7 @@ use crate::earth::state::BodyAxes;
 use parameter::{Place, to_block_axes};
 use rows::{About, Rows};
 use solve::{Matrix, Solution, Vector};
+use walk::Walk;
 
 /// What is known before the record, and what is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -149,13 +151,15 @@ pub struct Identified {
     pub block_s: f64,
     /// A square root of the covariance of all parameters.
     root: Matrix,
+    /// What the biases have walked at the end of the record.
+    walks: [Walk; 6],
 }
 
 impl Identified {
     fn new(
         request: &Request,
         (x, covariance): &Solution,
-        root: Matrix,
+        (root, walks): (Matrix, [Walk; 6]),
         noise: [SensorNoise; 6],
         about: &About,
         axes: Axes,
@@ -190,6 +194,7 @@ impl Identified {
             blocks,
             block_s: rows.blocks.iter().map(blocks::Block::length_s).sum::<f64>() / blocks as f64,
             root,
+            walks,
         }
     }
 
@@ -209,9 +214,15 @@ impl Identified {
         self.middle_s + since_s / (1.0 + self.drift.value)
     }
 
-    /// Time of the path at which the record of the fit begins \[s\], if it has no gap.
-    fn first_path_time_s(&self) -> f64 {
-        self.path_time_s(self.middle_s - 0.5 * self.blocks as f64 * self.block_s)
+    /// Time of the path at which the record of the fit ends \[s\], if it has no gap.
+    fn last_path_time_s(&self) -> f64 {
+        self.path_time_s(self.middle_s + 0.5 * self.blocks as f64 * self.block_s)
+    }
+
+    /// Biases of a triad at the end of the record of the fit.
+    fn last_biases(&self, part: usize) -> Vector3<f64> {
+        [&self.gyro, &self.accel][part].biases()
+            + Vector3::from_fn(|axis, _| self.walks[3 * part + axis].mean)
     }
 
     /// Biases \[rad/s\] and \[m/s²\] of gyros and accelerometers, of those that are seen; the others 0.

@@ -11,6 +11,7 @@ use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
 use super::path::IdealPath;
 use super::rows::{About, Rows, coefficients};
 use super::unfit::{check_gaps, check_number, check_priors, check_spikes, check_stuck};
+use super::walk::walks;
 use super::whiten::Steps;
 use super::{Identified, Request, pieces};
 use crate::base::error::{Error, Rule};
@@ -69,8 +70,8 @@ pub(super) fn identify(
     let change = to_block_axes();
     let solution = (change * x, change * covariance * change.transpose());
     let noise = fitted.evidences.map(|one| one.noise);
-    let root = change * root(covariance, &fitted.prior)?;
-    let found = Identified::new(request, &solution, root, noise, &fitted.about, start.1, &fitted.rows);
+    let for_twins = (change * root(covariance, &fitted.prior)?, walks(&fitted)?);
+    let found = Identified::new(request, &solution, for_twins, noise, &fitted.about, start.1, &fitted.rows);
     check_priors(&found)?;
     Ok(found)
 }
@@ -281,4 +282,26 @@ fn joint(
     let inverse = scaled.cholesky().ok_or_else(unsolved)?.inverse();
     let covariance = Matrix::from_fn(|i, j| prior[i] * inverse[(i, j)] * prior[j]);
     Ok(((covariance * vector, covariance), evidences))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The last step of a fit may be a tenth of the standard deviation of the clock and of each angle; other parameters are linear.
+    #[test]
+    fn a_last_step_beyond_a_tenth_of_its_deviation_is_an_error() {
+        let covariance = Matrix::identity() * 4e-6;
+        let with = |place: usize, step: f64| {
+            let mut x = Vector::zeros();
+            x[place] = step;
+            check_converged(&(x, covariance))
+        };
+        for place in [Place::mounting(0), Place::mounting(2), Place::CLOCK, Place::DRIFT] {
+            assert!(with(place, -1.9e-4).is_ok(), "{place}");
+            let error = with(place, -2.1e-4).unwrap_err().to_string();
+            assert!(error.starts_with("record.fit = 0.105") && error.ends_with("Limit: 0.1"), "{error}");
+        }
+        assert!(with(Place::bias(0, 0), 1.0).is_ok());
+    }
 }

@@ -83,8 +83,14 @@ impl Steps {
         for (j, row) in covariance.iter_mut().enumerate().skip(1) {
             row[j] = 1.0;
         }
-        let mut filter =
-            Filter { steps: self, active, size, gains: room(self.lengths_s.len())?, logarithms: 0.0 };
+        let mut filter = Filter {
+            steps: self,
+            active,
+            size,
+            gains: room(self.lengths_s.len())?,
+            logarithms: 0.0,
+            walk_variance: 0.0,
+        };
         for (place, &(length_s, gap_s)) in self.lengths_s.iter().enumerate() {
             if gap_s > 0.0 {
                 pass(&self.of_gap[place], shape.walk * gap_s, &mut covariance);
@@ -119,6 +125,7 @@ impl Steps {
             }
             filter.gains.push((1.0 / variance.sqrt(), gain));
         }
+        filter.walk_variance = if shape.walk > 0.0 { covariance[0][0].max(0.0) } else { 0.0 };
         Ok(filter)
     }
 }
@@ -133,12 +140,15 @@ pub(super) struct Filter<'a> {
     gains: Vec<(f64, [f64; STATES])>,
     /// Σ ln of the variances of the innovations.
     pub logarithms: f64,
+    /// Variance of the walk behind the last block, for N = 1.
+    pub walk_variance: f64,
 }
 
 impl Filter<'_> {
     /// Gives `take` the rows in order, each over the standard deviation of its innovation for N = 1, so that they are independent with
-    /// the variance N². The columns of the parameters run through the same filter as the data, because it is linear.
-    pub fn whiten(&self, rows: &[Columns], mut take: impl FnMut(usize, &Columns)) {
+    /// the variance N². The columns of the parameters run through the same filter as the data, because it is linear. Returns the walk
+    /// behind the last block: its mean is the part of the data, less those of the columns times their coefficients.
+    pub fn whiten(&self, rows: &[Columns], mut take: impl FnMut(usize, &Columns)) -> Columns {
         let mut state = [[0.0; COLUMNS]; STATES];
         for (place, (row, (scale, gain))) in rows.iter().zip(&self.gains).enumerate() {
             let processes = &self.steps.of_block[place];
@@ -166,6 +176,7 @@ impl Filter<'_> {
             }
             take(place, &innovation.map(|value| value * scale));
         }
+        state[0]
     }
 }
 
@@ -228,10 +239,18 @@ mod tests {
         let steps = Steps::new(&blocks).unwrap();
         let filter = steps.filter(shape).unwrap();
         let logarithms = filter.logarithms;
-        filter.whiten(&rows, |_, white| {
+        let last = filter.whiten(&rows, |_, white| {
             squares += white[0] * white[0];
             mixed += white[0] * white[1];
         });
+        // The walk behind the last block given all blocks: its covariance with a mean is K² times the middle of the block.
+        let with_walk =
+            nalgebra::SVector::<f64, 6>::from_fn(|k, _| shape.walk * (starts[k] + 0.5 * lengths[k]));
+        let expected =
+            (with_walk.transpose() * matrix.try_inverse().unwrap() * nalgebra::SVector::from(data))[0];
+        let left = shape.walk * 12.0 - (with_walk.transpose() * matrix.try_inverse().unwrap() * with_walk)[0];
+        assert!((last[0] / expected - 1.0).abs() < 1e-3, "{} {expected}", last[0]);
+        assert!((filter.walk_variance / left - 1.0).abs() < 1e-3, "{} {left}", filter.walk_variance);
         let factor = matrix.cholesky().unwrap();
         let (determinant, inverse) = (factor.determinant(), factor.inverse());
         let form = |a: &[f64; 6], b: &[f64; 6]| -> f64 {

@@ -30,24 +30,24 @@ struct Step {
 pub(super) struct Steps(Vec<Step>);
 
 impl Steps {
-    /// The steps of `record`. With `is_corrected`, bias, scale factors and misalignments that were found are removed:
+    /// The steps of `record`. With `is_corrected`, scale factors and misalignments that were found are removed, and the bias at the end of
+    /// the record of the fit:
     /// ```text
     /// u = Rᵀ (I + E)⁻¹ (m - b)
     /// ```
     pub fn new(record: &[RecordedIncrement], found: &Identified, is_corrected: bool) -> Result<Self, Error> {
         let from_record = found.rotation.transpose();
-        let undo = |triad: &super::super::TriadEstimate| {
-            let inverse = if is_corrected {
-                (Matrix3::identity() + triad.error_matrix()).try_inverse()
-            } else {
-                Some(Matrix3::identity())
+        let undo = |part: usize| {
+            let (error, bias) = match is_corrected {
+                true => ([&found.gyro, &found.accel][part].error_matrix(), found.last_biases(part)),
+                false => (Matrix3::zeros(), Vector3::zeros()),
             };
-            let bias = if is_corrected { triad.biases() } else { Vector3::zeros() };
+            let inverse = (Matrix3::identity() + error).try_inverse();
             inverse.map(|inverse| (from_record * inverse, bias)).ok_or_else(|| {
                 Error::bad_state("scale factors and misalignments that were found have no inverse")
             })
         };
-        let ((gyro, gyro_bias), (accel, accel_bias)) = (undo(&found.gyro)?, undo(&found.accel)?);
+        let ((gyro, gyro_bias), (accel, accel_bias)) = (undo(0)?, undo(1)?);
         let mut steps = room(record.len())?;
         let mut last_s = None;
         for row in record {

@@ -12,7 +12,8 @@
 //! ```
 //!
 //! - **The same treatment.** The real record and each twin pass through the same code: the clock, the axes and the errors that were
-//!   identified are removed, the mechanization of the library navigates from the truth, and the truth is subtracted.
+//!   identified are removed, the biases as they are at the end of the fit. Then the mechanization of the library navigates from the truth,
+//!   and the truth is subtracted.
 //! - **Twins.** A twin draws its parameters from the joint distribution that the fit found, also those that the motion does not show. So
 //!   its drift contains what the fit does not know. All flights of a twin have the same parameters, and its noise goes on from flight to
 //!   flight, as those of the real record do.
@@ -100,6 +101,19 @@ pub struct Check {
     pub spans: Vec<Span>,
     /// Verdict on the model: that of the duration that is farthest off.
     pub agreement: Agreement,
+}
+
+/// Rows of the record that the path has, in two halves. `found` was identified from the whole record: it has the clock.
+pub fn halves<'a>(
+    truth: &Truth,
+    found: &Identified,
+    record: &'a [RecordedIncrement],
+) -> Result<(&'a [RecordedIncrement], &'a [RecordedIncrement]), Error> {
+    let (from_s, to_s) = truth.ends_s()?;
+    let before = |time_s: f64| record.partition_point(|row| found.path_time_s(row.time_s) < time_s);
+    let first = before(from_s);
+    let common = &record[first..before(to_s).max(first)];
+    Ok(common.split_at(common.len() / 2))
 }
 
 /// Flies `record`, a part of the record that `found` was not identified from, and its twins.

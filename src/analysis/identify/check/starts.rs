@@ -6,7 +6,7 @@ use crate::base::error::Error;
 use crate::base::memory::room;
 
 /// Most flights of a duration.
-const MOST: usize = 24;
+const MOST: usize = 48;
 /// Flights of a duration begin at least this part of it apart.
 const APART: f64 = 0.5;
 /// Least number of a duration that has room.

@@ -44,13 +44,17 @@ impl Twin {
         let key = StreamKey { seed: request.seed, run };
         let mut stream = key.host_stream(PARAMETERS_STREAM);
         let errors = found.root * super::super::solve::Vector::from_fn(|_, _| normal(&mut stream));
-        // The random walk of the fit begins with the record.
-        let before_s = (begin_s - found.first_path_time_s()).max(0.0);
+        // The biases walk on from the end of the fit.
+        let gap_s = (begin_s - found.last_path_time_s()).max(0.0);
         let mut triad = |part: usize| {
             let estimate = [&found.gyro, &found.accel][part];
             let noise = [0, 1, 2].map(|axis| drawn_noise(&found.noise[3 * part + axis], &mut stream));
             let of = |which: usize| Vector3::from_fn(|axis, _| noise[axis][which]);
-            let walked = of(2).map(|walk| walk * before_s.sqrt() * normal(&mut stream));
+            let walked = Vector3::from_fn(|axis, _| {
+                let (walk, on) = (&found.walks[3 * part + axis], noise[axis][2] * gap_s.sqrt());
+                let sigma = (walk.sigma * walk.sigma + on * on).sqrt();
+                walk.with(3 * part + axis, &errors) + sigma * normal(&mut stream)
+            });
             let matrix = estimate.error_matrix()
                 + Matrix3::from_fn(|row, column| errors[Place::element(part, row, column)]);
             TriadParameters {
