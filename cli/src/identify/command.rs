@@ -4,11 +4,13 @@ use std::ffi::OsString;
 use std::path::PathBuf;
 
 use nalgebra::Matrix3;
+use sins::analysis::identify::check::CheckRequest;
 use sins::analysis::identify::{Prior, Request};
 use sins::sensors::Grade;
 
+use super::check::truth_sigma;
 use crate::failure::Failure;
-use crate::given::{Settings, Trust};
+use crate::given::{Settings, Trust, whole};
 use crate::imu::{Wanted, wanted};
 use crate::places::beside;
 
@@ -59,6 +61,20 @@ pub struct Order {
     /// Reads forces that are negative where the sensor is pushed forward
     #[arg(long)]
     pub reversed: bool,
+    /// Identifies the first half of the record only, and checks in the other half how far the sensors drift
+    ///
+    /// The other half is navigated from many starts, with the errors removed that were found. Twins, sensors drawn from what was found,
+    /// fly the same starts. The verdict compares their drifts: agrees, the model is too good, or too bad.
+    #[arg(long)]
+    pub check: bool,
+    /// Standard deviations of the errors of the path, with which each flight of the twins begins: "velocity_m_s=0.03"
+    ///
+    /// Names: position_m, velocity_m_s, tilt_arcmin, heading_arcmin; those that are not stated are 0.
+    #[arg(long, value_name = "NAME=NUMBER", value_delimiter = ',', requires = "check")]
+    pub truth_sigma: Vec<String>,
+    /// Number of twins, 40 to 1000
+    #[arg(long, value_name = "COUNT", default_value_t = 100, value_parser = whole(40, 1000), requires = "check")]
+    pub twins: u64,
     /// Prints what was found as JSON in the place of the table
     #[arg(long)]
     pub json: bool,
@@ -71,6 +87,14 @@ impl Order {
     /// File of the scene.
     pub fn output(&self) -> PathBuf {
         self.output.clone().unwrap_or_else(|| beside(&self.imu, "_sensor.toml"))
+    }
+
+    /// What a check is made with, if one is wanted.
+    pub fn check_request(&self) -> Result<Option<CheckRequest>, Failure> {
+        let truth = truth_sigma(&self.truth_sigma)?;
+        let request = CheckRequest { twins: self.twins as usize, truth, ..CheckRequest::default() };
+        request.validate().map_err(|error| Failure::new(format!("--truth-sigma: {error}")))?;
+        Ok(self.check.then_some(request))
     }
 
     /// What is known before the record.

@@ -1,16 +1,18 @@
 //! What was found as JSON, in SI units.
 
+use sins::analysis::identify::check::Check;
 use sins::analysis::identify::{Estimate, Identified};
 
+use super::check;
 use super::record::Record;
 use super::sheet::{Sheet, sheets};
 
 /// The text of an object.
-pub fn text(record: &Record, found: &Identified) -> String {
+pub fn text(record: &Record, found: &Identified, checked: Option<&Check>) -> String {
     let exchange: Vec<String> = found.axes.exchange.row_iter().map(|row| list(row.iter().copied())).collect();
     let rotation: Vec<String> = found.rotation.row_iter().map(|row| list(row.iter().copied())).collect();
     let mounting: Vec<String> = found.mounting.iter().map(estimate).collect();
-    let sensors: Vec<String> = sheets(found).iter().map(sensor).collect();
+    let parts: Vec<String> = sheets(found).iter().map(sensor).chain(checked.map(check::json)).collect();
     format!(
         "{{\n\"rows\": {}, \"interval_s\": {}, \"blocks\": {}, \"block_s\": {},\n\"clock_shift_s\": {},\n\"clock_drift\": {},\n\
          \"axes\": {{\"exchange\": [{}], \"seen\": {}}},\n\"mounting_rad\": [{}],\n\"rotation\": [{}],\n{}\n}}\n",
@@ -24,7 +26,7 @@ pub fn text(record: &Record, found: &Identified) -> String {
         found.axes.is_seen,
         mounting.join(", "),
         rotation.join(", "),
-        sensors.join(",\n")
+        parts.join(",\n")
     )
 }
 

@@ -1,7 +1,9 @@
 //! Which errors real sensors have: a record of an IMU compared with what perfect sensors measure along the same path.
 //!
-//! The data flow is `command` → `record` → [`sins::analysis::identify`] → `sheet` → `table`, `scene`, `json`.
+//! The data flow is `command` → `record` → [`sins::analysis::identify`] → `sheet` → `table`, `scene`, `json`; `check` prints whether the
+//! rest of the record agrees.
 
+mod check;
 mod command;
 mod json;
 mod record;
@@ -12,8 +14,10 @@ mod table;
 pub use command::Order;
 
 use sins::Error;
-use sins::analysis::identify::{IdealPath, identify};
+use sins::analysis::identify::check::{Check, CheckRequest, Truth, check as fly_twins, halves};
+use sins::analysis::identify::{IdealPath, Identified, Request, identify};
 use sins::analysis::recommend::Refusal;
+use sins::truth::FlightSample;
 use sins::units::{DEG, STANDARD_GRAVITY as G};
 
 use crate::failure::Failure;
@@ -28,6 +32,7 @@ use record::Record;
 /// Identifies the sensors of the record of `order`, writes the scene and prints the table.
 pub fn run(order: &Order) -> Result<(), Failure> {
     let request = order.request()?;
+    let of_check = order.check_request()?;
     let given = Given::load(Some(&order.truth), None, &order.settings, &order.trust, command::FOR_LOGS)?;
     given.say_left_out();
     let mut inputs = given.inputs.clone();
@@ -35,23 +40,26 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let output = order.output();
     let file = Outputs::new(&inputs, order.force).file(&output, scene::MARK)?;
     let record = Record::read(order)?;
-    let path = {
-        let _flying = Progress::working(format!("flying {} with perfect sensors", given.name));
-        let refused = |refusal: Refusal| {
-            let place = refusal.sample.map_or_else(|| given.origin.clone(), |index| given.place(index));
-            Failure::new(format!("{place}: {}", of_sample(&refusal.error)))
-        };
-        let samples = (0..given.count).map(|index| given.sample(index));
-        IdealPath::fly(&given.scene.simulator_options(), samples).map_err(refused)?
+    let (found, checked) = match &of_check {
+        Some(of_check) => {
+            let (found, checked) = identify_and_check(order, &given, &record, &request, of_check)?;
+            (found, Some(checked))
+        }
+        None => {
+            let path = flown(&given, |samples| IdealPath::fly(&given.scene.simulator_options(), samples))?;
+            let found = identify(&path, &record.increments, &request);
+            (found.map_err(|error| Failure::of_file(&order.imu, &sentence(&error, &record, order)))?, None)
+        }
     };
-    let found = identify(&path, &record.increments, &request)
-        .map_err(|error| Failure::of_file(&order.imu, &sentence(&error, &record, order)))?;
     let text = scene::text(order, &given, &found)?;
     file.finish(text)?;
     if order.json {
-        return print(&json::text(&record, &found));
+        return print(&json::text(&record, &found, checked.as_ref()));
     }
     print(&table::text(&given, &record, &found))?;
+    if let (Some(checked), Some(of_check)) = (&checked, &of_check) {
+        print(&check::text(checked, &of_check.truth))?;
+    }
     let next = match given.scene.is_log() && scene::is_read_plainly(&given) {
         true => format!("`sins ensemble {}` shows how far such an INS drifts on this path", quoted(&output)),
         false => {
@@ -59,6 +67,39 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         }
     };
     print(&written::text(&[output], Some(&next)))
+}
+
+/// The samples of the path, flown by `fly` with perfect sensors.
+fn flown<T>(
+    given: &Given,
+    fly: impl FnOnce(&mut dyn Iterator<Item = Result<FlightSample, Error>>) -> Result<T, Refusal>,
+) -> Result<T, Failure> {
+    let _flying = Progress::working(format!("flying {} with perfect sensors", given.name));
+    let refused = |refusal: Refusal| {
+        let place = refusal.sample.map_or_else(|| given.origin.clone(), |index| given.place(index));
+        Failure::new(format!("{place}: {}", of_sample(&refusal.error)))
+    };
+    fly(&mut (0..given.count).map(|index| given.sample(index))).map_err(refused)
+}
+
+/// Identifies the sensors in the first half of the record, and checks them in the other one.
+fn identify_and_check(
+    order: &Order,
+    given: &Given,
+    record: &Record,
+    request: &Request,
+    of_check: &CheckRequest,
+) -> Result<(Identified, Check), Failure> {
+    let truth = flown(given, |samples| Truth::fly(&given.scene.simulator_options(), samples))?;
+    let unfit = |error: Error| Failure::of_file(&order.imu, &sentence(&error, record, order));
+    let whole = identify(truth.path(), &record.increments, request).map_err(unfit)?;
+    let (first, second) = halves(&truth, &whole, &record.increments).map_err(unfit)?;
+    let found = identify(truth.path(), first, request).map_err(unfit)?;
+    let _flying = Progress::working(format!("flying {} twins", of_check.twins));
+    match fly_twins(&truth, &found, second, of_check) {
+        Ok(checked) => Ok((found, checked)),
+        Err(error) => Err(Failure::of_file(&order.imu, &format!("the half that is checked: {error}"))),
+    }
 }
 
 /// How many times too large or small signals are that were written in another unit, and which.

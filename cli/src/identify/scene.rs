@@ -2,11 +2,9 @@
 
 use std::path::Path;
 
-use nalgebra::{Rotation3, UnitQuaternion};
 use sins::analysis::identify::Identified;
 use sins::earth::state::BodyAxes;
 use sins::log::LogMapping;
-use sins::math::euler_from_attitude;
 use sins::scene::{FlightSource, Scene};
 use sins::units::DEG;
 
@@ -27,7 +25,8 @@ const NO_TURN: f64 = 1e-9;
 pub fn text(order: &Order, given: &Given, found: &Identified) -> Result<String, Failure> {
     let axes = given.scene.options.axes;
     let mut text = format!(
-        "{MARK} in {}, with intervals of 95 %. Noise is that of the record and of the path together.\n\n{}",
+        "{MARK} in {}{}, with intervals of 95 %. Noise is that of the record and of the path together.\n\n{}",
+        if order.check { "the first half of " } else { "" },
         printable(&order.imu.display().to_string()),
         flight(order, given)
     );
@@ -95,13 +94,11 @@ fn quoted(text: &str) -> String {
 
 /// The attitude of the block in the vehicle.
 fn mounting(found: &Identified, axes: BodyAxes) -> String {
-    let from_block = Rotation3::from_matrix_unchecked(found.rotation.transpose());
-    let turn = UnitQuaternion::from_rotation_matrix(&from_block);
     let words = table::axes(&found.axes.exchange, found.axes.is_seen);
-    if turn.angle() < NO_TURN {
+    let euler = found.boresight(axes);
+    if [euler.roll, euler.pitch, euler.heading].iter().all(|angle| angle.abs() < NO_TURN) {
         return format!("\n# axes: {words}\n");
     }
-    let euler = euler_from_attitude(&axes.in_vehicle(turn.quaternion()));
     let angles = [euler.roll, euler.pitch, euler.heading].map(|angle| rounded(angle / DEG, 9));
     format!("\n# axes: {words}\n[mounting]\nboresight_deg = [{}, {}, {}]\n", angles[0], angles[1], angles[2])
 }

@@ -221,3 +221,50 @@ fn a_log_that_needs_a_mapping_is_not_flown_without_it() {
     assert!(scene.contains("needs the [log]") && !scene.contains("file ="), "{scene}");
     done(&folder, &["fly", "b.toml", "--quiet", "--set", "flight.hours=0.01", "-o", "b"]);
 }
+
+/// The first half of a record predicts how far the sensors drift in the other half; a row without a value is left out.
+#[test]
+fn the_rest_of_a_record_is_checked() {
+    let folder = folder("checked");
+    record(&folder, "aerobatics", &["flight.hours=0.11", "flight.rate_hz=25"]);
+    let truth = ["identify", "aerobatics", "--set", "flight.hours=0.11", "--set", "flight.rate_hz=25"];
+    let of = |file: &'static str, more: &[&'static str]| -> Vec<&str> {
+        truth
+            .into_iter()
+            .chain(["--prior", "tactical", "--imu", file, "--force"])
+            .chain(more.iter().copied())
+            .collect()
+    };
+    let check = ["--check", "--twins", "40"];
+    let table = done(&folder, &of("imu.csv", &check));
+    assert!(table.contains("check: the figures above are those of the first half of the record"), "{table}");
+    assert!(
+        table.contains("\n  10 s ") && table.contains("the prediction agrees with the record"),
+        "{table}"
+    );
+    assert!(read(folder.join("imu_sensor.toml")).contains("found in the first half of imu.csv"));
+    let json = done(&folder, &of("imu.csv", &["--check", "--twins", "40", "--json"]));
+    assert!(
+        json.contains("\"check\": {\"length_s\": 197") && json.contains("\"verdict\": \"agrees\""),
+        "{json}"
+    );
+    assert_eq!(json.matches('{').count(), json.matches('}').count());
+    assert!(!done(&folder, &of("imu.csv", &[])).contains("check:"));
+
+    let rows = read(folder.join("imu.csv"));
+    let header = rows.lines().find(|line| line.starts_with("time_s")).unwrap();
+    let hole = format!("{header}\n0.001{}\n", ",".repeat(header.matches(',').count()));
+    std::fs::write(folder.join("hole.csv"), rows.replacen(&format!("{header}\n"), &hole, 1)).unwrap();
+    let table = done(&folder, &of("hole.csv", &[]));
+    assert!(table.contains("1 row without a value is left out, the first in line"), "{table}");
+
+    for (more, words) in [
+        (&["--check", "--truth-sigma", "speed=1"][..], "--truth-sigma speed=1: expected NAME=NUMBER"),
+        (&["--truth-sigma", "velocity_m_s=1"], "--check"),
+        (&["--check", "--twins", "3"], "40"),
+        (&["--check", "--truth-sigma", "tilt_arcmin=1e9"], "truth.tilt_rad = "),
+    ] {
+        let (code, _, errors) = run(&folder, &of("imu.csv", more));
+        assert!(code == 2 && errors.contains(words), "{more:?}: {code} {errors}");
+    }
+}

@@ -1,0 +1,150 @@
+//! Whether the record keeps what the identified sensors predict, as a table for the terminal and as JSON.
+
+use sins::analysis::identify::check::{Agreement, Check, Span, TruthSigma};
+use sins::units::ARCMIN;
+
+use crate::failure::Failure;
+use crate::units::{significant, time_text, two_digits};
+
+/// The keys of `--truth-sigma`.
+const KEYS: &str = "position_m, velocity_m_s, tilt_arcmin or heading_arcmin";
+
+/// The errors of the truth of texts such as "velocity_m_s=0.03".
+pub fn truth_sigma(texts: &[String]) -> Result<TruthSigma, Failure> {
+    let mut sigma = TruthSigma::default();
+    for text in texts {
+        let expected = || {
+            Failure::new(format!(
+                "--truth-sigma {text}: expected NAME=NUMBER with one of {KEYS} and 0 or more"
+            ))
+        };
+        let (key, value) = text.split_once('=').ok_or_else(expected)?;
+        let value = value.trim().parse::<f64>().ok().filter(|value| value.is_finite() && *value >= 0.0);
+        let value = value.ok_or_else(expected)?;
+        match key.trim() {
+            "position_m" => sigma.position_m = value,
+            "velocity_m_s" => sigma.velocity_m_s = value,
+            "tilt_arcmin" => sigma.tilt_rad = value * ARCMIN,
+            "heading_arcmin" => sigma.heading_rad = value * ARCMIN,
+            _ => return Err(expected()),
+        }
+    }
+    Ok(sigma)
+}
+
+/// The table.
+pub fn text(check: &Check, truth: &TruthSigma) -> String {
+    let mut text = format!(
+        "\ncheck: the figures above are those of the first half of the record. In the other half, {} that the path has, the record was\n\
+         navigated from many starts. {} twins, sensors that were drawn from these figures, flew the same starts.\n\
+         Half of the flights are horizontally within [m], with 95 % intervals:\n\n",
+        time_text(check.length_s),
+        check.twins
+    );
+    text += &row(["after", "flights (apart)", "as recorded", "errors removed", "predicted", "verdict"]);
+    for span in &check.spans {
+        text += &line(span);
+    }
+    text += &format!("\n{}\n", verdict(check, truth));
+    text
+}
+
+fn row([after, flights, free, real, predicted, verdict]: [&str; 6]) -> String {
+    format!("  {after:<7}{flights:<17}{free:<13}{real:<30}{predicted:<30}{verdict}\n")
+}
+
+fn line(span: &Span) -> String {
+    let with = |value: f64, (low, high): (f64, f64)| {
+        format!("{} ({} to {})", significant(value), significant(low), significant(high))
+    };
+    row([
+        &time_text(span.duration_s),
+        &format!("{} ({})", span.flights, span.apart),
+        &significant(span.free_m),
+        &with(span.real_m, span.real_interval_m),
+        &with(span.predicted_m, span.predicted_interval_m),
+        &words(&span.agreement),
+    ])
+}
+
+fn words(agreement: &Agreement) -> String {
+    match agreement {
+        Agreement::Agrees => "agrees".to_owned(),
+        Agreement::TooGood(factor) => format!("the model is too good by {}", two_digits(*factor)),
+        Agreement::TooBad(factor) => format!("the model is too bad by {}", two_digits(*factor)),
+    }
+}
+
+fn verdict(check: &Check, truth: &TruthSigma) -> String {
+    let is_exact = *truth == TruthSigma::default();
+    match check.agreement {
+        Agreement::Agrees => "the prediction agrees with the record".to_owned(),
+        Agreement::TooGood(_) if is_exact => format!(
+            "{}; the path is taken for exact, --truth-sigma states its errors",
+            words(&check.agreement)
+        ),
+        _ => words(&check.agreement),
+    }
+}
+
+/// The text of an object.
+pub fn json(check: &Check) -> String {
+    let spans: Vec<String> = check.spans.iter().map(span_json).collect();
+    format!(
+        "\"check\": {{\"length_s\": {}, \"twins\": {}, {},\n\"spans\": [\n{}\n]}}",
+        check.length_s,
+        check.twins,
+        agreement_json(&check.agreement),
+        spans.join(",\n")
+    )
+}
+
+fn span_json(span: &Span) -> String {
+    let Span { real_interval_m: real, predicted_interval_m: predicted, .. } = span;
+    format!(
+        "  {{\"duration_s\": {}, \"flights\": {}, \"apart\": {}, \"free_m\": {}, \"real_m\": {}, \"real_low_m\": {}, \"real_high_m\": {}, \
+         \"real_rms_m\": {}, \"predicted_m\": {}, \"predicted_low_m\": {}, \"predicted_high_m\": {}, \"predicted_rms_m\": {}, {}}}",
+        span.duration_s,
+        span.flights,
+        span.apart,
+        span.free_m,
+        span.real_m,
+        real.0,
+        real.1,
+        span.real_rms_m,
+        span.predicted_m,
+        predicted.0,
+        predicted.1,
+        span.predicted_rms_m,
+        agreement_json(&span.agreement)
+    )
+}
+
+fn agreement_json(agreement: &Agreement) -> String {
+    let (word, factor) = match agreement {
+        Agreement::Agrees => ("agrees", 1.0),
+        Agreement::TooGood(factor) => ("too_good", *factor),
+        Agreement::TooBad(factor) => ("too_bad", *factor),
+    };
+    format!("\"verdict\": \"{word}\", \"factor\": {factor}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(texts: &[&str]) -> Result<TruthSigma, String> {
+        let texts: Vec<String> = texts.iter().map(|text| (*text).to_owned()).collect();
+        truth_sigma(&texts).map_err(|failure| failure.to_string())
+    }
+
+    #[test]
+    fn errors_of_the_truth_are_read() {
+        let sigma = read(&["velocity_m_s=0.03", "tilt_arcmin=2"]).unwrap();
+        assert_eq!((sigma.velocity_m_s, sigma.tilt_rad, sigma.position_m), (0.03, 2.0 * ARCMIN, 0.0));
+        for wrong in ["velocity=1", "tilt_arcmin", "position_m=-1", "position_m=inf", "position_m=x"] {
+            let error = read(&[wrong]).unwrap_err();
+            assert!(error.starts_with(&format!("--truth-sigma {wrong}: expected NAME=NUMBER")), "{error}");
+        }
+    }
+}
