@@ -54,6 +54,7 @@ ELSEWHERE = {
     "mpicc ": "tests/mpi.sh",
     "mpirun ": "tests/mpi.sh",
     "release/fmu.sh target/unit": ".ci/run",
+    "tests/real_imu.sh": ".ci/weekly",
     "release/package.sh": "tests/packages.sh",
     "release/page.sh ": "tests/web.sh",
     "release/wasm.sh ": "tests/hosts.sh javascript",

@@ -9,7 +9,9 @@ use super::{DEG, Draws, G, Unit, drawn, flight, times};
 
 /// Flights and their parts [s]: half of the record is identified, the other half is checked.
 const FLIGHTS: [(&str, (f64, f64)); 2] = [("aerobatics", (0.0, 400.0)), ("racetrack", (200.0, 700.0))];
-const TRIALS: u64 = if cfg!(feature = "long-tests") { 200 } else { 24 };
+const TRIALS: u64 = if cfg!(feature = "long-tests") { 200 } else { 12 };
+/// Models with other noise, of each kind.
+const MODELS: u64 = if cfg!(feature = "long-tests") { 8 } else { 2 };
 
 /// A flight, its part and its truth.
 fn flown((name, span_s): (&str, (f64, f64))) -> (Flight, (f64, f64), Truth) {
@@ -78,7 +80,7 @@ fn a_model_with_a_third_of_the_noise_is_too_good_and_one_with_three_times_too_ba
     // Long enough for 48 flights of 10 s in each half: a factor of two is beyond their scatter.
     let (flight, span_s, truth) = flown(("racetrack", (200.0, 1200.0)));
     let mut draws = Draws::new(8);
-    for run in 0..4 {
+    for run in 0..MODELS {
         let of_noise = unit(&mut draws, run, false);
         let [small, real, large] = [1.0 / 3.0, 1.0, 3.0].map(|noise| of_noise(noise).record(&flight, span_s));
         let (good, bad) = (checked(&truth, &small, &real), checked(&truth, &large, &real));
