@@ -149,7 +149,15 @@ fn conclude(order: &Order, verdict: &Verdict) -> Result<(), Failure> {
         let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
         let next = match worst {
             Some(Level::Unusable) => {
-                format!("mend {}, and look again: `sins log {file} --columns {columns}`", map.display())
+                let again = format!("`sins log {file} --columns {columns}`");
+                let smooth = format!("`sins log {file} --columns {columns} --smooth -o TRUTH.csv`");
+                match verdict.advises_smoothing() {
+                    true => format!(
+                        "smooth it: {smooth}; or, if a column is wrong, mend {} and look again: {again}",
+                        map.display()
+                    ),
+                    false => format!("mend {}, and look again: {again}", map.display()),
+                }
             }
             _ => format!("`sins fly {option}{file} --columns {columns}`"),
         };

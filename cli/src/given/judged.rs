@@ -100,6 +100,12 @@ impl Verdict {
         self.list.iter().map(|found| found.level).max()
     }
 
+    /// Whether a remedy is to smooth the log.
+    pub fn advises_smoothing(&self) -> bool {
+        let findings = self.list.iter().filter_map(|found| found.finding.as_ref());
+        findings.into_iter().any(|finding| finding.remedy().contains("smooth the log"))
+    }
+
     /// Each in a line, with its place.
     pub fn lines(&self) -> impl Iterator<Item = String> {
         self.list.iter().map(|Found { level, line, sentence, .. }| {

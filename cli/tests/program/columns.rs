@@ -179,3 +179,30 @@ fn what_is_unknown_is_asked_and_the_answer_flies() {
     assert!(said.starts_with("a.csv: 601 rows over 60 s, 10 Hz"), "{said}");
     done(&folder, &["fly", "-q", "a.csv", "--columns", "map.toml"]);
 }
+
+/// Fixes of 1 Hz that are held between them: the next command smooths the log, and the path flies.
+#[test]
+fn a_log_of_held_fixes_is_smoothed_by_the_command_that_is_named() {
+    let folder = folder("held");
+    let rows: String = (0..3000)
+        .map(|k| {
+            let time_s = f64::from(k) / 50.0;
+            let latitude_deg = 48.0 + 60.0 * time_s.floor() / 111_200.0;
+            format!("{time_s:.2},{latitude_deg:.8},11,500,0,0.03,0,60,0,0\n")
+        })
+        .collect();
+    let names = "TimeFromStart (s),GNSSPosLat (deg),GNSSPosLon (deg),GNSSPosAlt (m),AngleRoll (rad),AnglePitch (rad),\
+                 AngleHeading (rad),GNSSVelNorth (m/s),GNSSVelEast (m/s),GNSSVelDown (m/s)\n";
+    std::fs::write(folder.join("held.csv"), names.to_owned() + &rows).unwrap();
+    let (code, said, _) = run(&folder, &["log", "held.csv", "--map", "held.toml"]);
+    let named = "sins log held.csv --columns held.toml --smooth -o TRUTH.csv";
+    assert!(
+        code == 2 && said.contains(&format!("next: smooth it: `{named}`; or, if a column is wrong")),
+        "{said}"
+    );
+    let words: Vec<&str> = named.split(' ').skip(1).collect();
+    for arguments in [&words[..], &["fly", "TRUTH.csv", "--quiet", "-o", "out"]] {
+        let (code, _, errors) = run(&folder, arguments);
+        assert_eq!(code, 0, "{arguments:?}: {errors}");
+    }
+}
