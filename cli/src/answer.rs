@@ -11,7 +11,7 @@ const ROUNDING_M_S: f64 = 1e-9;
 /// Ratio of the largest error to that at the end from which both are reported.
 const PASSED: f64 = 1.2;
 
-/// Errors of a flight. They are the same, whoever has them: the flight itself or its files.
+/// Errors of a flight, as the flight itself has them or its files. The last record is that of the end, unless the flight was stopped.
 #[derive(Debug, Clone, Copy)]
 pub struct Answer {
     /// Time flown [s].
@@ -22,8 +22,12 @@ pub struct Answer {
     pub largest_m: f64,
     /// Whether the height is taken from the truth.
     pub follows_height: bool,
-    /// R50 [m/s] and the begin of NAV [s], if the flight has a rate.
-    pub r50: Option<(f64, f64)>,
+    /// Whether it was stopped before its end.
+    pub is_stopped: bool,
+    /// Begin of NAV [s]; `None`: the unit did not navigate.
+    pub nav_from_s: Option<f64>,
+    /// R50 [m/s], if the flight has a rate.
+    pub r50: Option<f64>,
     /// Largest difference between error data 1 and 2, if both are there [m].
     pub difference_m: Option<f64>,
 }
@@ -43,16 +47,23 @@ impl Answer {
     /// The errors at the end, their growth, and how well the error equations agree.
     pub fn sentence(&self) -> String {
         let (end, up) = self.end_m;
-        let mut sentence =
-            format!("After {} the INS is {} off", time_text(self.duration_s), with_unit(end, LENGTH));
+        let after = time_text(self.duration_s);
+        let Some(nav_from_s) = self.nav_from_s else {
+            return format!("In {after} the unit did not navigate.");
+        };
+        let begin = match self.is_stopped {
+            true => format!("The flight was stopped after {after}, before its end:"),
+            false => format!("After {after}"),
+        };
+        let mut sentence = format!("{begin} the INS is {} off", with_unit(end, LENGTH));
         if self.largest_m > PASSED * end {
             sentence += &format!(", at most {}", with_unit(self.largest_m, LENGTH));
         }
-        if let Some((rate_m_s, from_s)) = self.r50 {
+        if let Some(rate_m_s) = self.r50 {
             sentence += &format!(", R50 {} nmi/h", significant(rate_m_s / NMI_PER_HOUR));
-            if from_s > 0.0 {
-                sentence += &format!(" since NAV at {}", time_text(from_s));
-            }
+        }
+        if nav_from_s > 0.0 {
+            sentence += &format!(" since NAV at {}", time_text(nav_from_s));
         }
         if !self.follows_height && up.abs() > end {
             let side = if up > 0.0 { "high" } else { "low" };

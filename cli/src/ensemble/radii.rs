@@ -17,12 +17,21 @@ pub fn sentence(study: &Study) -> String {
     let (Some(figures), [first, ..]) = (figures, &radii[..]) else {
         return format!("None of the runs reached the end of {after}.");
     };
-    if radii.len() == 1 {
-        return format!("After {after} the INS is {} off in the only run.", with_unit(*first, LENGTH));
+    let (runs, left) = (study.plan.runs, radii.len());
+    let lost = study.results.diverged.len();
+    if left == 1 {
+        let of = if runs == 1 {
+            "the only run".to_owned()
+        } else {
+            format!("the only one of {runs} runs that did not diverge")
+        };
+        return format!("After {after} the INS is {} off in {of}.", with_unit(*first, LENGTH));
     }
     let of = |name: &str, radius_m: f64, share: f64| {
-        let found = with_unit(radius_m, LENGTH);
-        let between = match interval(&radii, share) {
+        let interval = interval(&radii, share);
+        // Figures of centimetres are rounded to classes of half a millimetre, the values of the interval are not.
+        let found = with_unit(radius_m.clamp(interval.0, interval.1.unwrap_or(f64::INFINITY)), LENGTH);
+        let between = match interval {
             (low, Some(high)) => format!("{} to {}", with_unit(low, LENGTH), with_unit(high, LENGTH)),
             (low, None) => {
                 format!("more than {}, the runs are too few for an upper end", with_unit(low, LENGTH))
@@ -30,9 +39,12 @@ pub fn sentence(study: &Study) -> String {
         };
         format!("within {found} of the truth ({name}; {between})")
     };
+    let of_which = match lost {
+        0 => format!("After {after} half of the {left} runs"),
+        _ => format!("{lost} of the {runs} runs diverged. After {after} half of the other {left}"),
+    };
     format!(
-        "After {after} half of the {} runs are {}, and 95 % {}, with intervals of 95 % confidence.",
-        radii.len(),
+        "{of_which} are {}, and 95 % {}, with intervals of 95 % confidence.",
         of("CEP50", figures.cep50_m, 0.5),
         of("R95", figures.r95_m, 0.95)
     )

@@ -104,16 +104,19 @@ impl<'a> Figures<'a> {
     pub fn sentence(&self) -> String {
         let (flown, end) = (self.flown, &self.closure.position_n);
         // Without axes the velocity has no figure.
-        if flown.has_axes() && answer::is_rounding(flown.largest[0], flown.largest[1]) {
+        let nav_from_s = self.navigation().map(|navigation| navigation.from_s);
+        if nav_from_s.is_some() && flown.has_axes() && answer::is_rounding(flown.largest[0], flown.largest[1])
+        {
             return answer::of_rounding(self.accuracy.duration_s, flown.largest[0]);
         }
-        let from_s = self.navigation().map_or(0.0, |navigation| navigation.from_s);
         let answer = Answer {
             duration_s: self.accuracy.duration_s,
             end_m: (end.xy().norm(), end.z),
             largest_m: flown.largest_radius_m,
             follows_height: self.scene().options.vertical == VerticalMode::FollowTruth,
-            r50: self.rates().ok().map(|rates| (rates.cep_rate_m_s(), from_s)),
+            is_stopped: self.is_interrupted,
+            nav_from_s,
+            r50: self.rates().ok().map(AccuracyFigures::cep_rate_m_s),
             difference_m: self.scene().options.error_model.then_some(flown.largest_difference[0]),
         };
         answer.sentence()

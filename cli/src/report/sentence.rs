@@ -12,19 +12,22 @@ pub fn is_rounding(run: &Run) -> bool {
 
 /// The errors at the end, their growth, and how well the error equations agree.
 pub fn sentence(run: &Run) -> String {
-    if is_rounding(run) {
+    let figure = |key| run.summary.number(key);
+    // A summary without a begin of NAV is that of a unit that did not navigate; a record of another program has no summary.
+    let nav_from_s = figure("nav_from_s").or_else(|| figure("interrupted").is_none().then_some(0.0));
+    if nav_from_s.is_some() && is_rounding(run) {
         return answer::of_rounding(run.duration_s(), largest(&run.errors.position_m));
     }
     let radius = radius(run);
     let last = |values: &[f64]| values.last().copied().unwrap_or(0.0);
-    let figure = |key| run.summary.number(key);
-    let r50 = figure("r50_nmi_h").map(|rate| (rate * NMI_PER_HOUR.si, figure("nav_from_s").unwrap_or(0.0)));
     let answer = Answer {
         duration_s: run.duration_s(),
         end_m: (last(&radius), last(&run.errors.position_m[2])),
         largest_m: magnitude(&radius),
         follows_height: run.follows_height(),
-        r50,
+        is_stopped: figure("interrupted") == Some(1.0),
+        nav_from_s,
+        r50: figure("r50_nmi_h").map(|rate| rate * NMI_PER_HOUR.si),
         difference_m: figure("max_model_difference_position_m").filter(|_| run.model.is_some()),
     };
     answer.sentence()

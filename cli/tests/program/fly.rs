@@ -39,6 +39,9 @@ fn the_answer_stands_first() {
         start = \"off\"\n[[panel]]\nkind = \"align\"\nat_s = 10\n[[panel]]\nkind = \"true_position\"\nat_s = 60\n[[panel]]\n\
         kind = \"nav\"\nat_s = 700\n";
     std::fs::write(folder.join("unit.toml"), unit).unwrap();
+    std::fs::write(folder.join("late.toml"), unit.replace("at_s = 700", "at_s = 6500")).unwrap();
+    let never = unit.rsplit_once("[[panel]]").unwrap().0;
+    std::fs::write(folder.join("never.toml"), never).unwrap();
     for (name, arguments, answer) in [
         (
             "hour",
@@ -58,6 +61,8 @@ fn the_answer_stands_first() {
         ),
         ("model", &["simulation2", "--set", "flight.hours=0.1"], "; the error equations agree to "),
         ("unit", &["unit.toml"], " since NAV at "),
+        ("late", &["late.toml"], " since NAV at "),
+        ("never", &["never.toml"], "In 110 min the unit did not navigate."),
     ] {
         let said = done(&folder, &[&["fly"], arguments, &["--name", name]].concat());
         let first = said.lines().next().unwrap();
@@ -68,6 +73,37 @@ fn the_answer_stands_first() {
         let (_, lead) = page.split_once("<p class=\"lead\">").unwrap();
         assert_eq!(lead.split("</p>").next().unwrap(), first, "{name}");
     }
+}
+
+/// A flight that diverges does not answer as one that reached its end.
+#[test]
+fn a_flight_that_was_stopped_says_so_first() {
+    let folder = folder("stopped");
+    let order =
+        ["fly", "rest", "--preset", "consumer", "--set", "options.vertical=free", "--set", "flight.hours=20"];
+    let (code, said, _) = run(&folder, &order);
+    assert_eq!(code, 1);
+    assert!(said.starts_with("The flight was stopped after "), "{said}");
+    done(&folder, &["report", "sins_out/rest.csv"]);
+    assert!(
+        read(folder.join("sins_out/report.html")).contains("<p class=\"lead\">The flight was stopped after ")
+    );
+    let runs = [
+        "ensemble",
+        "rest",
+        "--preset",
+        "consumer",
+        "--set",
+        "options.vertical=free",
+        "--hours",
+        "0.12",
+        "--runs",
+        "40",
+    ];
+    run(&folder, &runs);
+    let page = read(folder.join("sins_out/rest_ensemble.html"));
+    let (_, lead) = page.split_once("<p class=\"lead\">").unwrap();
+    assert!(lead[..60].contains(" of the 40 runs diverged. After 7.2 min half of "), "{}", &lead[..200]);
 }
 
 /// Rolls of the fighter are faster than the range of its gyros: the error hangs on that, and it is said.
