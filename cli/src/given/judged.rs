@@ -100,10 +100,12 @@ impl Verdict {
         self.list.iter().map(|found| found.level).max()
     }
 
-    /// Whether a remedy is to smooth the log.
+    /// Whether a remedy is to smooth the log, and no finding that makes it unusable has another one.
     pub fn advises_smoothing(&self) -> bool {
-        let findings = self.list.iter().filter_map(|found| found.finding.as_ref());
-        findings.into_iter().any(|finding| finding.remedy().contains("smooth the log"))
+        let smooths = |finding: &Finding| finding.remedy().contains("smooth the log");
+        let mut findings = self.list.iter().filter_map(|found| Some((found.level, found.finding.as_ref()?)));
+        findings.clone().any(|(_, finding)| smooths(finding))
+            && findings.all(|(level, finding)| level != Level::Unusable || smooths(finding))
     }
 
     /// Each in a line, with its place.

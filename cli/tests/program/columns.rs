@@ -205,4 +205,28 @@ fn a_log_of_held_fixes_is_smoothed_by_the_command_that_is_named() {
         let (code, _, errors) = run(&folder, arguments);
         assert_eq!(code, 0, "{arguments:?}: {errors}");
     }
+    // Smoothing does not cure a roll of the other sign.
+    let turn: String = (0..3000)
+        .map(|k| {
+            let (time_s, angle) = (f64::from(k) / 50.0, f64::from(k) / 50.0 * 0.15);
+            let (north_m, east_m) = (400.0 * angle.sin(), 400.0 * (1.0 - angle.cos()));
+            let (latitude_deg, longitude_deg) = (48.0 + north_m / 111_200.0, 11.0 + east_m / 74_500.0);
+            let (latitude_deg, longitude_deg) =
+                ((latitude_deg * 1e5).round() / 1e5, (longitude_deg * 1e5).round() / 1e5);
+            format!(
+                "{time_s:.2},{latitude_deg:.5},{longitude_deg:.5},500,-42.5,2,{:.2}\n",
+                angle.to_degrees()
+            )
+        })
+        .collect();
+    let names = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+    std::fs::write(folder.join("roll.csv"), names.to_owned() + &turn).unwrap();
+    let (code, said, _) = run(&folder, &["log", "roll.csv", "--map", "roll.toml"]);
+    assert!(
+        code == 2
+            && said.contains("opposite sign")
+            && said.contains("smooth the log")
+            && said.contains("next: mend roll.toml"),
+        "{said}"
+    );
 }
