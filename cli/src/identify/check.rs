@@ -35,7 +35,7 @@ pub fn truth_sigma(texts: &[String]) -> Result<TruthSigma, Failure> {
 /// The table.
 pub fn text(check: &Check, truth: &TruthSigma) -> String {
     let mut text = format!(
-        "\ncheck: the figures above are those of the first half of the record. In the other half, {} that the path has, the record was\n\
+        "\ncheck: the figures above are those of the first half of the rows that the path has. In the other half, of {}, the record was\n\
          navigated from many starts. {} twins, sensors that were drawn from these figures, flew the same starts.\n\
          Half of the flights are horizontally within [m], with 95 % intervals:\n\n",
         time_text(check.length_s),
@@ -44,6 +44,12 @@ pub fn text(check: &Check, truth: &TruthSigma) -> String {
     text += &row(["after", "flights (apart)", "as recorded", "errors removed", "predicted", "verdict"]);
     for span in &check.spans {
         text += &line(span);
+    }
+    if let Some(duration_s) = check.diverged_s {
+        text += &format!(
+            "  {:<7}left out, and what is longer: half of the flights of the record or of a twin diverge\n",
+            time_text(duration_s)
+        );
     }
     text += &format!("\n{}\n", verdict(check, truth));
     text
@@ -60,7 +66,7 @@ fn line(span: &Span) -> String {
     row([
         &time_text(span.duration_s),
         &format!("{} ({})", span.flights, span.apart),
-        &significant(span.free_m),
+        &if span.free_m.is_finite() { significant(span.free_m) } else { "diverged".to_owned() },
         &with(span.real_m, span.real_interval_m),
         &with(span.predicted_m, span.predicted_interval_m),
         &words(&span.agreement),
@@ -78,12 +84,17 @@ fn words(agreement: &Agreement) -> String {
 fn verdict(check: &Check, truth: &TruthSigma) -> String {
     let is_exact = *truth == TruthSigma::default();
     match check.agreement {
-        Agreement::Agrees => "the prediction agrees with the record".to_owned(),
+        Agreement::Agrees if is_exact => "the prediction agrees with the record".to_owned(),
+        Agreement::Agrees => {
+            "the prediction agrees with the record, with the errors of the path that --truth-sigma states"
+                .to_owned()
+        }
         Agreement::TooGood(_) if is_exact => format!(
             "{}; the path is taken for exact, --truth-sigma states its errors",
             words(&check.agreement)
         ),
-        _ => words(&check.agreement),
+        _ if is_exact => words(&check.agreement),
+        _ => format!("{}, with the errors of the path that --truth-sigma states", words(&check.agreement)),
     }
 }
 
@@ -91,9 +102,10 @@ fn verdict(check: &Check, truth: &TruthSigma) -> String {
 pub fn json(check: &Check) -> String {
     let spans: Vec<String> = check.spans.iter().map(span_json).collect();
     format!(
-        "\"check\": {{\"length_s\": {}, \"twins\": {}, {},\n\"spans\": [\n{}\n]}}",
+        "\"check\": {{\"length_s\": {}, \"twins\": {}, \"diverged_s\": {}, {},\n\"spans\": [\n{}\n]}}",
         check.length_s,
         check.twins,
+        check.diverged_s.map_or("null".to_owned(), |duration_s| duration_s.to_string()),
         agreement_json(&check.agreement),
         spans.join(",\n")
     )
@@ -101,21 +113,26 @@ pub fn json(check: &Check) -> String {
 
 fn span_json(span: &Span) -> String {
     let Span { real_interval_m: real, predicted_interval_m: predicted, .. } = span;
+    // A flight that diverged has no distance.
+    let or_null = |distance_m: f64| match distance_m.is_finite() {
+        true => distance_m.to_string(),
+        false => "null".to_owned(),
+    };
     format!(
         "  {{\"duration_s\": {}, \"flights\": {}, \"apart\": {}, \"free_m\": {}, \"real_m\": {}, \"real_low_m\": {}, \"real_high_m\": {}, \
          \"real_rms_m\": {}, \"predicted_m\": {}, \"predicted_low_m\": {}, \"predicted_high_m\": {}, \"predicted_rms_m\": {}, {}}}",
         span.duration_s,
         span.flights,
         span.apart,
-        span.free_m,
-        span.real_m,
-        real.0,
-        real.1,
-        span.real_rms_m,
-        span.predicted_m,
-        predicted.0,
-        predicted.1,
-        span.predicted_rms_m,
+        or_null(span.free_m),
+        or_null(span.real_m),
+        or_null(real.0),
+        or_null(real.1),
+        or_null(span.real_rms_m),
+        or_null(span.predicted_m),
+        or_null(predicted.0),
+        or_null(predicted.1),
+        or_null(span.predicted_rms_m),
         agreement_json(&span.agreement)
     )
 }

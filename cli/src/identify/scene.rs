@@ -26,7 +26,7 @@ pub fn text(order: &Order, given: &Given, found: &Identified) -> Result<String, 
     let axes = given.scene.options.axes;
     let mut text = format!(
         "{MARK} in {}{}, with intervals of 95 %. Noise is that of the record and of the path together.\n\n{}",
-        if order.check { "the first half of " } else { "" },
+        if order.check { "the first half of the common rows of " } else { "" },
         printable(&order.imu.display().to_string()),
         flight(order, given)
     );

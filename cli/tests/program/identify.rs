@@ -222,6 +222,21 @@ fn a_log_that_needs_a_mapping_is_not_flown_without_it() {
     done(&folder, &["fly", "b.toml", "--quiet", "--set", "flight.hours=0.01", "-o", "b"]);
 }
 
+/// Consumer sensors are 100 km off after minutes: a record as it is diverges there, which is a result.
+#[test]
+fn flights_that_diverge_are_a_result_of_the_check() {
+    let folder = folder("diverged");
+    let path = ["racetrack", "--set", "flight.hours=0.8", "--set", "flight.rate_hz=5"];
+    done(&folder, &[&["fly"], &path[..], &["--preset", "consumer", "--imu", "imu.csv"]].concat());
+    let check = ["--imu", "sins_out/imu.csv", "--prior", "consumer", "--check", "--twins", "40"];
+    let table = done(&folder, &[&["identify"], &path[..], &check[..]].concat());
+    let last = table.lines().find(|line| line.starts_with("  10 min ")).unwrap();
+    assert!(last.contains(" diverged ") && last.ends_with("agrees"), "{table}");
+    assert!(table.contains("\nthe prediction agrees with the record\n"), "{table}");
+    let json = done(&folder, &[&["identify"], &path[..], &check[..], &["--json", "--force"]].concat());
+    assert!(json.contains("\"free_m\": null") && !json.contains("inf"), "{json}");
+}
+
 /// The first half of a record predicts how far the sensors drift in the other half; a row without a value is left out.
 #[test]
 fn the_rest_of_a_record_is_checked() {
@@ -237,12 +252,18 @@ fn the_rest_of_a_record_is_checked() {
     };
     let check = ["--check", "--twins", "40"];
     let table = done(&folder, &of("imu.csv", &check));
-    assert!(table.contains("check: the figures above are those of the first half of the record"), "{table}");
+    assert!(
+        table.contains("check: the figures above are those of the first half of the rows that the path has"),
+        "{table}"
+    );
     assert!(
         table.contains("\n  10 s ") && table.contains("the prediction agrees with the record"),
         "{table}"
     );
-    assert!(read(folder.join("imu_sensor.toml")).contains("found in the first half of imu.csv"));
+    assert!(
+        read(folder.join("imu_sensor.toml"))
+            .contains("found in the first half of the common rows of imu.csv")
+    );
     let json = done(&folder, &of("imu.csv", &["--check", "--twins", "40", "--json"]));
     assert!(
         json.contains("\"check\": {\"length_s\": 197") && json.contains("\"verdict\": \"agrees\""),

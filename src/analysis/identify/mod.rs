@@ -133,6 +133,8 @@ pub struct Identified {
     pub drift: Estimate,
     /// Middle of the record on its clock \[s\].
     pub middle_s: f64,
+    /// End of what was identified, on the clock of the record \[s\].
+    pub last_s: f64,
     /// The exchange of axes.
     pub axes: Axes,
     /// Small rotation φ beside the exchange, about the axes of the record \[rad\].
@@ -185,6 +187,7 @@ impl Identified {
             offset_s: estimate(Place::CLOCK, about.offset_s),
             drift: estimate(Place::DRIFT, about.drift),
             middle_s: about.middle_s,
+            last_s: about.last_s,
             axes,
             mounting: core::array::from_fn(|axis| estimate(Place::mounting(axis), about.mounting[axis])),
             rotation: rotation_matrix(&rotation_quaternion(&turn)) * about.axes,
@@ -214,9 +217,9 @@ impl Identified {
         self.middle_s + since_s / (1.0 + self.drift.value)
     }
 
-    /// Time of the path at which the record of the fit ends \[s\], if it has no gap.
+    /// Time of the path at which the record of the fit ends \[s\].
     fn last_path_time_s(&self) -> f64 {
-        self.path_time_s(self.middle_s + 0.5 * self.blocks as f64 * self.block_s)
+        self.path_time_s(self.last_s)
     }
 
     /// Biases of a triad at the end of the record of the fit.

@@ -19,6 +19,8 @@ pub(super) struct About {
     pub offset_s: f64,
     pub drift: f64,
     pub middle_s: f64,
+    /// End of the last block on the clock of the record [s].
+    pub last_s: f64,
     /// Angles of the mounting that `axes` has beside the exchange [rad], and those that the misalignments of both triads have in common.
     pub turned: Vector3<f64>,
     pub common: Vector3<f64>,

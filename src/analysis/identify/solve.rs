@@ -141,6 +141,7 @@ fn begin(
         offset_s,
         drift: 0.0,
         middle_s: 0.5 * (blocks[0].start_s + blocks[blocks.len() - 1].end_s),
+        last_s: blocks[blocks.len() - 1].end_s,
         turned: Vector3::zeros(),
         common: Vector3::zeros(),
         mounting: Vector3::zeros(),
@@ -193,8 +194,7 @@ fn fit(
         let turn = Vector3::from_fn(|k, _| x[Place::mounting(k)]);
         let changed = to_block_axes() * x;
         let common = Vector3::from_fn(|k, _| changed[Place::mounting(k)]) - turn;
-        let clock_s =
-            x[Place::CLOCK].abs() + x[Place::DRIFT].abs() * (blocks[blocks.len() - 1].end_s - about.middle_s);
+        let clock_s = x[Place::CLOCK].abs() + x[Place::DRIFT].abs() * (about.last_s - about.middle_s);
         if is_last || (round > 0 && clock_s < CLOCK_DONE_S && (turn + common).norm() < MOUNTING_DONE) {
             if is_last {
                 check_converged(&solution)?;

@@ -6,7 +6,7 @@ use super::super::{Identified, RecordedIncrement};
 use super::starts::Starts;
 use super::truth::Truth;
 use super::twin::Twin;
-use crate::base::error::{Error, Rule};
+use crate::base::error::{Error, ErrorKind, Rule};
 use crate::base::memory::room;
 use crate::errors::correction::Correction;
 use crate::errors::navigation_minus_truth;
@@ -93,7 +93,7 @@ impl Steps {
 /// Median and root mean square of the drifts of the flights of a duration [m].
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Drifts {
-    /// In ascending order.
+    /// In ascending order. A flight that diverged is infinitely far off.
     pub sorted_m: Vec<f64>,
 }
 
@@ -104,6 +104,9 @@ impl Drifts {
         let place = (fraction * count as f64 - 0.5).clamp(0.0, (count - 1) as f64);
         let below = place as usize;
         let above = (below + 1).min(count - 1);
+        if self.sorted_m[above].is_infinite() {
+            return if place > below as f64 { f64::INFINITY } else { self.sorted_m[below] };
+        }
         self.sorted_m[below] + (self.sorted_m[above] - self.sorted_m[below]) * (place - below as f64)
     }
 
@@ -127,7 +130,12 @@ pub(super) fn medians(
         for &start_s in &flights.starts_s {
             simulator.reset();
             let error = twin.map(|twin| twin.start(flight));
-            sorted_m.push(drift_m(truth, steps, (start_s, flights.duration_s), error, &mut simulator)?);
+            sorted_m.push(
+                match drift_m(truth, steps, (start_s, flights.duration_s), error, &mut simulator) {
+                    Err(error) if error.kind == ErrorKind::Diverged => f64::INFINITY,
+                    drift_m => drift_m?,
+                },
+            );
             flight += 1;
         }
         sorted_m.sort_unstable_by(f64::total_cmp);

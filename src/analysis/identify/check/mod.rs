@@ -99,6 +99,8 @@ pub struct Check {
     pub twins: usize,
     /// Each duration.
     pub spans: Vec<Span>,
+    /// Shortest duration that is left out because half of the flights of the record or of a twin diverge \[s\]; longer ones are too.
+    pub diverged_s: Option<f64>,
     /// Verdict on the model: that of the duration that is farthest off.
     pub agreement: Agreement,
 }
@@ -128,7 +130,12 @@ pub fn check(
     let removed = Steps::new(record, found, true)?;
     let within = removed.within(truth)?;
     let length_s = within.1 - within.0;
-    let starts = Starts::new(&removed, within)?;
+    let mut starts = Starts::new(&removed, within)?;
+    if starts.spans.is_empty() && length_s >= 2.0 * DURATIONS_S[0] {
+        return Err(Error::bad_state(
+            "the part of the record that is checked has no two times of 10 s without a gap",
+        ));
+    }
     if starts.spans.is_empty() {
         let rule = Rule::AtLeast(
             "seconds of the part of the record that is checked and that the path has; must be at least",
@@ -144,5 +151,16 @@ pub fn check(
         let steps = Steps::new(&twin.record(truth, found, within)?, found, true)?;
         twins.push(medians(truth, &steps, &starts, Some(&twin))?);
     }
-    verdict::check(length_s, &starts, (&free, &real), &twins)
+    let keeps =
+        |place: &usize| twins.iter().chain([&real]).all(|drifts| drifts[*place].quantile_m(0.5).is_finite());
+    let kept = (0..starts.spans.len()).take_while(keeps).count();
+    let diverged_s = starts.spans.get(kept).map(|flights| flights.duration_s);
+    if kept == 0 {
+        return Err(Error::bad_state(
+            "half of the flights of 10 s diverge: the errors that are left are too large to navigate with",
+        ));
+    }
+    starts.spans.truncate(kept);
+    let check = verdict::check(length_s, &starts, (&free, &real), &twins)?;
+    Ok(Check { diverged_s, ..check })
 }

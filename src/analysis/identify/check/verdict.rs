@@ -33,7 +33,7 @@ pub struct Span {
     pub flights: usize,
     /// Number of flights that do not overlap.
     pub apart: usize,
-    /// Distance from the truth that half of the flights on the record as it is keep \[m\].
+    /// Distance from the truth that half of the flights on the record as it is keep \[m\]; infinite: more than half diverged.
     pub free_m: f64,
     /// Distance that half of the flights keep \[m\], with the errors removed that were found.
     pub real_m: f64,
@@ -83,9 +83,9 @@ pub(super) fn check(
     (free, real): (&[Drifts], &[Drifts]),
     twins: &[Vec<Drifts>],
 ) -> Result<Check, Error> {
-    let mut spreads = room(real.len())?;
+    let mut spreads = room(starts.spans.len())?;
     spreads.extend(
-        (0..real.len()).map(|span| Spread::new(twins.iter().map(move |twin| logarithm(&twin[span])))),
+        (0..starts.spans.len()).map(|span| Spread::new(twins.iter().map(move |twin| logarithm(&twin[span])))),
     );
     let largest = |drifts: &[Drifts]| {
         drifts.iter().zip(&spreads).map(|(one, spread)| spread.z(logarithm(one)).abs()).fold(0.0, f64::max)
@@ -96,7 +96,7 @@ pub(super) fn check(
     let place = (KEPT * (twins.len() + 1) as f64).ceil() as usize;
     let limit = largest_of_twins[place.clamp(1, twins.len()) - 1];
 
-    let mut spans = room(real.len())?;
+    let mut spans = room(starts.spans.len())?;
     let mut worst = (0.0, Agreement::Agrees);
     for (place, (flights, spread)) in starts.spans.iter().zip(&spreads).enumerate() {
         let z = spread.z(logarithm(&real[place]));
@@ -129,5 +129,5 @@ pub(super) fn check(
             agreement,
         });
     }
-    Ok(Check { length_s, twins: twins.len(), spans, agreement: worst.1 })
+    Ok(Check { length_s, twins: twins.len(), spans, diverged_s: None, agreement: worst.1 })
 }
