@@ -57,8 +57,9 @@ export DEBFULLNAME=${DEBFULLNAME:-The sins developers} DEBEMAIL=${DEBEMAIL:-sins
 for kind in DEB RPM; do
     libraries=()
     [ "$kind" = DEB ] || libraries=(-DCMAKE_INSTALL_LIBDIR=lib64)
-    # Both have what cargo builds once.
-    cmake -S . -B "$staging/$kind" -DCMAKE_INSTALL_PREFIX=/usr -DSINS_PROGRAM=ON -DSINS_CARGO_TARGET_DIR="$staging/cargo" "${libraries[@]}"
+    # Without the setting of CMake, cpack would build all of it again: library and program overwrite what the other has in cargo's folder.
+    cmake -S . -B "$staging/$kind" -DCMAKE_INSTALL_PREFIX=/usr -DSINS_PROGRAM=ON -DSINS_CARGO_TARGET_DIR="$staging/cargo" \
+        -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON "${libraries[@]}"
     cmake --build "$staging/$kind"
     cpack --config "$staging/$kind/CPackConfig.cmake" -G "$kind" -B "$staging/$kind/packages"
 done
