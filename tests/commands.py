@@ -53,6 +53,7 @@ ELSEWHERE = {
     "i686-w64-mingw32-gfortran ": "fortran_windows of tests/hosts.sh",
     "mpicc ": "tests/mpi.sh",
     "mpirun ": "tests/mpi.sh",
+    "release/all.sh": ".ci/weekly",
     "release/fmu.sh target/unit": ".ci/run",
     "tests/real_imu.sh": ".ci/weekly",
     "release/package.sh": "tests/packages.sh",
