@@ -24,7 +24,6 @@ ELSEWHERE = {
     # what a command prints
     "sins 0.1.0, with scenes, in a program of 32 bits": "tests/loading.sh compares",
     # other tests
-    "bin/sins fly rest ": "tests/without_rust.sh",
     "c_examples/build.sh": "the README's commands run it",
     "c_examples/emulator/build.sh x86_64 OUT": "tests/emulator.sh",
     "c_examples/ensemble_mpi.sh": "tests/mpi.sh",
