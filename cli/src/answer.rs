@@ -63,7 +63,8 @@ impl Answer {
             sentence += &format!(", R50 {} nmi/h", significant(rate_m_s / NMI_PER_HOUR));
         }
         if nav_from_s > 0.0 {
-            sentence += &format!(" since NAV at {}", time_text(nav_from_s));
+            let since = if self.r50.is_some() { " since NAV at" } else { ", in NAV since" };
+            sentence += &format!("{since} {}", time_text(nav_from_s));
         }
         if !self.follows_height && up.abs() > end {
             let side = if up > 0.0 { "high" } else { "low" };

@@ -61,7 +61,7 @@ fn the_answer_stands_first() {
         ),
         ("model", &["simulation2", "--set", "flight.hours=0.1"], "; the error equations agree to "),
         ("unit", &["unit.toml"], " since NAV at "),
-        ("late", &["late.toml"], " since NAV at "),
+        ("late", &["late.toml"], ", in NAV since "),
         ("never", &["never.toml"], "In 110 min the unit did not navigate."),
     ] {
         let said = done(&folder, &[&["fly"], arguments, &["--name", name]].concat());
