@@ -1,4 +1,4 @@
-//! `bindings/sins.ads`: the interface as a package of Ada 2012.
+//! `sins.ads` in the folder `bindings` of a build: the interface as a package of Ada 2012.
 
 use std::collections::BTreeSet;
 
@@ -8,7 +8,7 @@ use super::text::{broken, comment};
 const WIDTH: usize = 132;
 
 /// How to use the package.
-const HEAD: &str = include_str!("ada_head.ads");
+const HEAD: &str = include_str!("../bindings/ada/head.ads");
 
 pub fn write(interface: &Interface) -> String {
     let mut text = HEAD.to_owned();

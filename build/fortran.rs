@@ -1,4 +1,4 @@
-//! `bindings/sins.f90`: the interface as a module of Fortran 2008.
+//! `sins.f90` in the folder `bindings` of a build: the interface as a module of Fortran 2008.
 
 use super::model::{Enumeration, Function, Interface, Struct, Type, Variable};
 use super::text::{broken, comment};
@@ -7,8 +7,8 @@ use super::text::{broken, comment};
 const WIDTH: usize = 132;
 
 /// How to use the module, and the procedures that it has for hosts: Fortran itself.
-const HEAD: &str = include_str!("fortran_head.f90");
-const TAIL: &str = include_str!("fortran_tail.f90");
+const HEAD: &str = include_str!("../bindings/fortran/head.f90");
+const TAIL: &str = include_str!("../bindings/fortran/tail.f90");
 
 pub fn write(interface: &Interface) -> String {
     let mut text = HEAD.to_owned();

@@ -1,9 +1,9 @@
-//! `bindings/sins.mjs`: the fixed text `sins.mjs` of this folder, with all that the interface has at its marks. The library is
-//! WebAssembly there: pointers and sizes have 32 bits.
+//! `sins.mjs` in the folder `bindings` of a build: the file of that name in `bindings/javascript`, with all that the interface has at its
+//! marks. The library is WebAssembly there: pointers and sizes have 32 bits.
 
 use super::model::{Function, Interface, Struct, Type, Variable};
 
-const TEXT: &str = include_str!("sins.mjs");
+const TEXT: &str = include_str!("../bindings/javascript/sins.mjs");
 
 pub fn write(interface: &Interface) -> String {
     let indented = |lines: Vec<String>, indent: &str| lines.join(&format!("\n{indent}"));

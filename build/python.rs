@@ -1,4 +1,4 @@
-//! The package for Python, `bindings/sins`: the files of the folder `sins` beside this one. `c.py` is its fixed text with all that the
+//! The package for Python in the folder `bindings` of a build: the files of `bindings/python/sins`. `c.py` has all that the
 //! interface has at its marks; the others stand as they are.
 
 use super::c_calls::may_be_null;
@@ -8,20 +8,20 @@ use super::text::{self, filled};
 /// Longest line of documentation.
 const WIDTH: usize = 118;
 
-const TEXT: &str = include_str!("sins/c.py");
+const TEXT: &str = include_str!("../bindings/python/sins/c.py");
 
 /// The files of the package with their paths.
 pub fn write(interface: &Interface) -> Vec<(&'static str, String)> {
     let fixed = [
-        ("sins/__init__.py", include_str!("sins/__init__.py")),
-        ("sins/_analysis.py", include_str!("sins/_analysis.py")),
-        ("sins/_calls.py", include_str!("sins/_calls.py")),
-        ("sins/_ensemble.py", include_str!("sins/_ensemble.py")),
-        ("sins/_flight.py", include_str!("sins/_flight.py")),
-        ("sins/_judge.py", include_str!("sins/_judge.py")),
-        ("sins/_scene.py", include_str!("sins/_scene.py")),
-        ("sins/c.pyi", include_str!("sins/c.pyi")),
-        ("sins/py.typed", include_str!("sins/py.typed")),
+        ("sins/__init__.py", include_str!("../bindings/python/sins/__init__.py")),
+        ("sins/_analysis.py", include_str!("../bindings/python/sins/_analysis.py")),
+        ("sins/_calls.py", include_str!("../bindings/python/sins/_calls.py")),
+        ("sins/_ensemble.py", include_str!("../bindings/python/sins/_ensemble.py")),
+        ("sins/_flight.py", include_str!("../bindings/python/sins/_flight.py")),
+        ("sins/_judge.py", include_str!("../bindings/python/sins/_judge.py")),
+        ("sins/_scene.py", include_str!("../bindings/python/sins/_scene.py")),
+        ("sins/c.pyi", include_str!("../bindings/python/sins/c.pyi")),
+        ("sins/py.typed", include_str!("../bindings/python/sins/py.typed")),
     ];
     let fixed = fixed.map(|(name, text)| (name, text.to_owned()));
     [("sins/c.py", module(interface))].into_iter().chain(fixed).collect()

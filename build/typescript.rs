@@ -1,5 +1,5 @@
-//! `bindings/sins.d.ts`: the fixed text `sins.d.ts` of this folder, with all that the interface has at its marks, and the
-//! documentation of the header.
+//! `sins.d.ts` in the folder `bindings` of a build: the file of that name in `bindings/javascript`, with all that the interface has at its
+//! marks, and the documentation of the header.
 
 use super::javascript::{Argument, arguments, left_out, plain};
 use super::model::{Function, Interface, Struct, Type};
@@ -8,7 +8,7 @@ use super::text::comment;
 /// Longest line of documentation.
 const WIDTH: usize = 130;
 
-const TEXT: &str = include_str!("sins.d.ts");
+const TEXT: &str = include_str!("../bindings/javascript/sins.d.ts");
 
 pub fn write(interface: &Interface) -> String {
     let handles: String = interface.handles.iter().map(|name| handle(plain(name))).collect();

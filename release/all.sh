@@ -33,7 +33,7 @@ git archive --format=tar --prefix="sins-$version-source/" HEAD | gzip -n9 >"$dis
 need unzip unzip
 folder=$staging/sins-$version
 mkdir "$folder"
-git archive HEAD Cargo.toml Cargo.lock build.rs build src include cli fmu tests/Cargo.toml tests/inside LICENSE-MIT LICENSE-APACHE |
+git archive HEAD Cargo.toml Cargo.lock build.rs bindings build src include apps/cli apps/fmu tests/Cargo.toml tests/inside LICENSE-MIT LICENSE-APACHE |
     tar -x -C "$folder"
 cp release/python/{pyproject.toml,setup.py,README.md} "$folder"
 unzip -p "$dist/sins-$version"-py3-none-manylinux_2_17_x86_64.whl "sins-$version.dist-info/METADATA" >"$folder/PKG-INFO"

@@ -79,8 +79,8 @@ windows() {
     command install -m644 /usr/share/doc/mingw-w64-common/copyright "$folder/licences/mingw-w64.txt"
     "$gcc" -std=c99 -O2 -municode -static -s -Wl,--no-insert-timestamp -I include -o "$bin/loadlibrary.exe" \
         c_examples/loadlibrary.c
-    if [ -e c_examples/emulator/build.sh ]; then
-        c_examples/emulator/build.sh "$2" "$bin"
+    if [ -e apps/emulator/build.sh ]; then
+        apps/emulator/build.sh "$2" "$bin"
     fi
     local platform=win32
     [ "$2" = i686 ] || platform=win_amd64

@@ -20,4 +20,4 @@ copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 git archive HEAD | tar -x -C "$copy"
 "$program" cyclonedx --quiet --manifest-path "$copy/Cargo.toml" --format json --target all --no-build-deps --override-filename bom
-release/sbom.py "$copy" "$SOURCE_DATE_EPOCH" "$copy"/{,cli/,fmu/}bom.json >"$out"
+release/sbom.py "$copy" "$SOURCE_DATE_EPOCH" "$copy"/{,apps/cli/,apps/fmu/}bom.json >"$out"

@@ -96,7 +96,7 @@
 //! | an alignment over a time leaves the mean errors of this time, and the flight continues with its states | `tests/effects/alignment_time.rs` |
 //! | a gravity disturbance acts as its closed form | `tests/effects/gravity_disturbance.rs` |
 //! | noise has the statistics of its parameters | `tests/effects/noise_statistics.rs` |
-//! | the Allan deviation of noise gives its parameters back | `cli/allan/tests/estimator/closure.rs`, the estimator `cli/allan/tests/estimator/intervals.rs` |
+//! | the Allan deviation of noise gives its parameters back | `apps/cli/allan/tests/estimator/closure.rs`, the estimator `apps/cli/allan/tests/estimator/intervals.rs` |
 //! | the same bits on every platform and for any sequence of calls | `tests/state/determinism.rs`, `tests/interface/c_side.rs`, `tests/platforms.sh`, `tests/windows.sh` |
 //! | no host can damage the library, and the library does not damage its host | `tests/interface/host_machine.rs` and the table of `tests/README.md` |
 //! | a run continues to the same bits from any snapshot, and damaged snapshots are rejected | `tests/state/snapshots.rs`, `tests/robustness/snapshot_damage.rs` |

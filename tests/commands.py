@@ -25,7 +25,7 @@ ELSEWHERE = {
     "sins 0.1.0, with scenes, in a program of 32 bits": "tests/loading.sh compares",
     # other tests
     "c_examples/build.sh": "the README's commands run it",
-    "c_examples/emulator/build.sh x86_64 OUT": "tests/emulator.sh",
+    "apps/emulator/build.sh x86_64 OUT": "tests/emulator.sh",
     "c_examples/ensemble_mpi.sh": "tests/mpi.sh",
     "c_examples/fly.sh": "the main job of .ci/run",
     "c_examples/jsbsim/build.sh": "tests/jsbsim.sh",
@@ -103,7 +103,7 @@ PROGRAMS = {"apt-get", "cargo", "cc", "cd", "cl", "cmake", "cp", "export", "fgfs
 
 def is_command(line):
     word = line.split()[0]
-    return word in PROGRAMS or word.split("/")[0] in ("release", "c_examples", "tests", "benches", "target", ".") and "/" in word
+    return word in PROGRAMS or word.split("/")[0] in ("release", "apps", "c_examples", "tests", "benches", "target", ".") and "/" in word
 
 
 def commands(text):

@@ -15,7 +15,7 @@ says_usage() {
     [ "$status" -eq 2 ] && [[ $said == "usage: $1 "* ]] || { echo "$*: ends with $status: $said" >&2; exit 1; }
 }
 for script in release/{fmu,manual}.sh; do says_usage "$script"; done
-for script in release/{linux,windows}.sh c_examples/emulator/build.sh tests/loading.sh; do
+for script in release/{linux,windows}.sh apps/emulator/build.sh tests/loading.sh; do
     says_usage "$script"
     says_usage "$script" x86_64
 done

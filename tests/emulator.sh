@@ -156,7 +156,7 @@ check() {
     if [ -e "${SINS_DLL_DIR:-}/$2/SINS_Emulator.exe" ]; then
         cp "$SINS_DLL_DIR/$2/SINS_Emulator.exe" "$folder"
     else
-        c_examples/emulator/build.sh "$1" "$folder"
+        apps/emulator/build.sh "$1" "$folder"
     fi
     for driver in driver controls views; do
         "$1-w64-mingw32-gcc" -std=c99 -Wall -Wextra -Wno-unused-function -Werror -O1 -o "$folder/$driver.exe" \
@@ -253,7 +253,7 @@ check() {
     # Tool tips, the tab key, letters; a change of the language in flight; recommended options; the wheel; the library in use, two
     # windows.
     for language in en zh; do
-        letters=$(sed -n 's/^    POPUP ".*&\(.\).*/\1/p' "c_examples/emulator/menu_$language.rc" | tr -d '\n' | tr a-z A-Z)
+        letters=$(sed -n 's/^    POPUP ".*&\(.\).*/\1/p' "apps/emulator/menu_$language.rc" | tr -d '\n' | tr a-z A-Z)
         [ -n "$letters" ] || fail "no letters in the menu"
         drive controls reach "$letters" -- /language "$language"
     done

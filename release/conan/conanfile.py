@@ -40,7 +40,7 @@ class Sins(ConanFile):
         # The program, the unit and the tests are members of the workspace: Cargo reads them, but does not build them.
         for part in (
             "Cargo.*", "CMakeLists.txt", "LICENSE-*", "CHANGELOG.md", "build.rs",
-            "build/*", "cli/*", "cmake/*", "fmu/*", "include/*", "src/*", "tests/*Cargo.toml", "release/licences.py",
+            "bindings/*", "build/*", "apps/cli/*", "cmake/*", "apps/fmu/*", "include/*", "src/*", "tests/*Cargo.toml", "release/licences.py",
         ):
             copy(self, part, self._tree, self.export_sources_folder)
 

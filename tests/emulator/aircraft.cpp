@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "../../c_examples/emulator/aircraft.h"
+#include "../../apps/emulator/aircraft.h"
 #include "sins.hpp"
 
 static void require(bool holds, const char *what) {

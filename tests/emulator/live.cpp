@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "../../c_examples/emulator/live.h"
+#include "../../apps/emulator/live.h"
 #include "sins_scene.hpp"
 
 static const double RATE_HZ = 50;

@@ -15,7 +15,7 @@
 #include <dlgs.h>
 #include <shlobj.h>
 
-#include "../../c_examples/emulator/resource.h"
+#include "../../apps/emulator/resource.h"
 
 #define ANSWER_MS 60000
 

@@ -1,9 +1,9 @@
-// Every scene ends alike in Node and in the flight of the page: node doors.mjs FOLDER, a folder that cli/tests/program/doors.rs has written.
+// Every scene ends alike in Node and in the flight of the page: node doors.mjs FOLDER, a folder that apps/cli/tests/program/doors.rs has written.
 // SINS_MODULE names sins.mjs. ends.txt: see doors.py.
 
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
-import { FINISHED, Flight } from "../../c_examples/page/flight.mjs";
+import { FINISHED, Flight } from "../../apps/page/flight.mjs";
 
 const { load, SinsError } = await import(process.env.SINS_MODULE);
 const sins = await load();

@@ -1,4 +1,4 @@
-"""Every scene ends alike through every door of Python: doors.py FOLDER, a folder that cli/tests/program/doors.rs has written.
+"""Every scene ends alike through every door of Python: doors.py FOLDER, a folder that apps/cli/tests/program/doors.rs has written.
 
 The doors are the example fly.py, and of the package fly(), Flight() and the first of two runs of ensemble(). ends.txt has for each
 scene the bits of the nine errors, and of what the INS shows; or "stopped" if an entry at the panel came at the wrong moment.

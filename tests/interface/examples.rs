@@ -64,8 +64,8 @@ fn rates_need_a_schuler_period_at_every_door() {
     for program in [
         "c_examples/harness.c",
         "c_examples/cpp_host.cpp",
-        "c_examples/emulator/display_page.h",
-        "c_examples/page/values.mjs",
+        "apps/emulator/display_page.h",
+        "apps/page/values.mjs",
     ] {
         let source = std::fs::read_to_string(project_file(program)).unwrap();
         assert!(source.contains("cep_rate_m_s") && source.contains("has_rates"), "{program}");

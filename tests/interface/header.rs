@@ -143,12 +143,12 @@ fn files_that_pages_and_sources_name_exist() {
     const FOLDERS: [&str; 10] = [
         "src/",
         "tests/",
-        "cli/",
+        "apps/",
+        "bindings/",
         "build/",
         "benches/",
         "c_examples/",
         "docs/",
-        "fmu/",
         "release/",
         "include/",
     ];

@@ -499,7 +499,7 @@ fn conditions_name_the_items_that_use_a_key() {
 /// The Chinese table of `SINS_Emulator` and of the page has a row for each key and for each of its words.
 #[test]
 fn each_key_and_each_word_is_translated() {
-    let table = std::fs::read_to_string(project_file("c_examples/emulator/zh.txt")).unwrap();
+    let table = std::fs::read_to_string(project_file("apps/emulator/zh.txt")).unwrap();
     let names: BTreeSet<&str> =
         table.lines().filter_map(|line| line.split_once(" = ")).map(|(own, _)| own).collect();
     let mut missing = Vec::new();
@@ -515,7 +515,7 @@ fn each_key_and_each_word_is_translated() {
     let count = missing.len();
     missing.retain(|name| !names.contains(name.as_str()));
     assert!(count > 300, "{count}");
-    assert_eq!(missing, [""; 0], "rows that c_examples/emulator/zh.txt lacks");
+    assert_eq!(missing, [""; 0], "rows that apps/emulator/zh.txt lacks");
 }
 
 /// The C interface gives every key, and no text is truncated.

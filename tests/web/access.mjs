@@ -8,7 +8,7 @@ import { readFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { lessons_of } from "../../c_examples/page/lessons_of.mjs";
+import { lessons_of } from "../../apps/page/lessons_of.mjs";
 import { opened, out, start, stop, unfold, until } from "./user.mjs";
 
 const { SINS } = process.env;
@@ -46,7 +46,7 @@ test("the page: every tab of the settings, light and dark, wide and narrow, in b
 });
 
 test("each lesson", async (context) => {
-    for (const { name } of lessons_of("c_examples/lessons")) {
+    for (const { name } of lessons_of("apps/page/lessons")) {
         const page = await opened(context, { hash: `#lesson=${name}`, colorScheme: name === "unit" ? "dark" : "light" });
         await until(page, /^Finished/);
         assert.deepEqual(await found(page), [], name);

@@ -7,12 +7,12 @@ import { spawnSync } from "node:child_process";
 import { writeFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 
-import { at_times, tick_texts } from "../../c_examples/page/curves.mjs";
-import { lessons_of } from "../../c_examples/page/lessons_of.mjs";
+import { at_times, tick_texts } from "../../apps/page/curves.mjs";
+import { lessons_of } from "../../apps/page/lessons_of.mjs";
 import { drop, fly, opened, out, press, same_as_program, set, start, stop, until, write } from "./user.mjs";
 
 const { SINS } = process.env;
-const LESSONS = lessons_of("c_examples/lessons");
+const LESSONS = lessons_of("apps/page/lessons");
 
 before(start);
 after(stop);

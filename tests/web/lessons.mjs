@@ -9,11 +9,11 @@ import { resolve } from "node:path";
 import test from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { lessons_of, read_by } from "../../c_examples/page/lessons_of.mjs";
-import { measure } from "../../c_examples/page/measure.mjs";
+import { lessons_of, read_by } from "../../apps/page/lessons_of.mjs";
+import { measure } from "../../apps/page/measure.mjs";
 
 const { SINS, SINS_MODULE } = process.env;
-const FOLDER = "c_examples/lessons", LESSONS = lessons_of(FOLDER), out = resolve("target/web");
+const FOLDER = "apps/page/lessons", LESSONS = lessons_of(FOLDER), out = resolve("target/web");
 
 /** Of a lesson's scene with other values, flown by the program: position errors [m], misalignment [arcmin], true heading, the record at a time. */
 function flown(name, values = {}) {

@@ -23,7 +23,7 @@ before(async () => ({ chromium, hour_ms } = await start()));
 after(stop);
 
 test("one file of at most 1.6 MB, made of at most 3000 lines", () => {
-    const lines = readdirSync("c_examples/page").map((name) => readFileSync(`c_examples/page/${name}`, "utf8").split("\n").length - 1);
+    const lines = readdirSync("apps/page").map((name) => readFileSync(`apps/page/${name}`, "utf8").split("\n").length - 1);
     const all = lines.reduce((sum, own) => sum + own, 0), bytes = statSync(SINS_PAGE).size;
     console.log(`page: ${(bytes / 1e6).toFixed(2)} MB, ${all} lines`);
     assert.ok(bytes <= MOST_BYTES && all <= MOST_LINES);
@@ -372,9 +372,9 @@ test("the page runs its own script and its worker, and loads nothing", async () 
 });
 
 test("Chinese: every text of the page, every key and word", async (context) => {
-    const zh = readFileSync("c_examples/emulator/zh.txt", "utf8"), plain = (own) => own.replaceAll("&", "").replace(/\.\.\.$/, "");
+    const zh = readFileSync("apps/emulator/zh.txt", "utf8"), plain = (own) => own.replaceAll("&", "").replace(/\.\.\.$/, "");
     const names = new Set(zh.split("\n").map((line) => plain(line.split(" = ")[0])));
-    const sources = readdirSync("c_examples/page").filter((name) => name.endsWith(".mjs")).map((name) => readFileSync(`c_examples/page/${name}`, "utf8")).join("\n");
+    const sources = readdirSync("apps/page").filter((name) => name.endsWith(".mjs")).map((name) => readFileSync(`apps/page/${name}`, "utf8")).join("\n");
     const used = [...sources.matchAll(/\b(?:text|parts|button)\("([^"]+)"/g)].map(([, name]) => name);
     assert.ok(used.length > 60);
     assert.deepEqual([...new Set(used.filter((name) => !names.has(plain(name))))], []);

@@ -8,7 +8,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 import { deflateRawSync } from "node:zlib";
 
-import { lessons_of } from "../../c_examples/page/lessons_of.mjs";
+import { lessons_of } from "../../apps/page/lessons_of.mjs";
 import { processor_times } from "./browser.mjs";
 import { downloaded, fly, opened, out, press, same_as_program, set, start, state, stop, until } from "./user.mjs";
 
@@ -92,7 +92,7 @@ test("a scene that is not flown has no empty drawing, but says what to do", asyn
     }
 });
 
-const FOLDER = "c_examples/lessons", LESSONS = lessons_of(FOLDER);
+const FOLDER = "apps/page/lessons", LESSONS = lessons_of(FOLDER);
 
 test("each lesson opens by its link: title, question, picture, and the records of sins fly for its scene", async (context) => {
     assert.deepEqual(LESSONS.map(({ order }) => order), LESSONS.map((_, k) => k + 1));

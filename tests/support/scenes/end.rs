@@ -34,7 +34,7 @@ pub fn end_of(play: &mut Play) -> End {
     Some(end)
 }
 
-/// A line of ends.txt: name and end, in the words of `cli/tests/program/door.c`.
+/// A line of ends.txt: name and end, in the words of `apps/cli/tests/program/door.c`.
 pub fn line(name: &str, end: &End) -> String {
     let Some(words) = end else { return format!("{name} stopped\n") };
     let (numbers, [validity, state]) = words.split_last_chunk().unwrap();

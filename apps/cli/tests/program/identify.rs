@@ -1,0 +1,291 @@
+//! `sins identify` from a record to a scene that flies.
+
+use std::path::Path;
+
+use crate::support::{done, folder, read, run};
+
+/// Flies five minutes of aerobatics with known sensors, and writes their increments.
+fn record(folder: &Path, flight: &str, more: &[&str]) {
+    let settings = [
+        "gyro.bias_deg_h=[20, -30, 40]",
+        "gyro.scale_factor_ppm=[400, -300, 200]",
+        "gyro.random_walk_deg_sqrt_h=0.1",
+        "accelerometer.bias_micro_g=[1500, -1000, 500]",
+        "accelerometer.random_walk_micro_g_sqrt_hz=60",
+        "options.subsamples=1",
+        "flight.rate_hz=50",
+        "flight.hours=0.08",
+    ];
+    let set = settings.iter().chain(more).flat_map(|setting| ["--set", *setting]);
+    let arguments: Vec<&str> =
+        ["fly", flight, "--quiet", "--imu", "imu.csv", "--force", "-o", "."].into_iter().chain(set).collect();
+    done(folder, &arguments);
+}
+
+/// The values of a key of the scene.
+fn values(scene: &str, section: &str, key: &str) -> Vec<f64> {
+    let part =
+        scene.split(&format!("\n[{section}]\n")).nth(1).unwrap_or_else(|| panic!("[{section}]: {scene}"));
+    let part = part.split("\n[").next().unwrap();
+    let line = part
+        .lines()
+        .find_map(|line| line.strip_prefix(&format!("{key} = [")))
+        .unwrap_or_else(|| panic!("{key}: {part}"));
+    line.trim_end_matches(']').split(", ").map(|number| number.parse().unwrap()).collect()
+}
+
+const TRUTH: [&str; 5] = ["aerobatics", "--set", "flight.hours=0.08", "--set", "flight.rate_hz=50"];
+
+fn identify<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    ["identify"].into_iter().chain(TRUTH).chain(["--imu", "imu.csv"]).chain(more.iter().copied()).collect()
+}
+
+#[test]
+fn a_record_becomes_a_scene_that_flies() {
+    let folder = folder("identified");
+    record(&folder, "aerobatics", &[]);
+    let table = done(&folder, &identify(&["--prior", "tactical"]));
+    assert!(table.contains("axes: those of the path") && table.contains("95 % intervals"), "{table}");
+    let scene = read(folder.join("imu_sensor.toml"));
+    for (section, key, truth) in [
+        ("gyro", "bias_deg_h", [20.0, -30.0, 40.0]),
+        ("gyro", "scale_factor_ppm", [400.0, -300.0, 200.0]),
+        ("accelerometer", "bias_micro_g", [1500.0, -1000.0, 500.0]),
+    ] {
+        let (found, sigma) = (values(&scene, section, key), {
+            let unit = ["_deg_h", "_ppm", "_micro_g"].into_iter().find(|unit| key.ends_with(unit)).unwrap();
+            values(&scene, section, &format!("{}_sigma{unit}", key.strip_suffix(unit).unwrap()))
+        });
+        for axis in 0..3 {
+            let off = (found[axis] - truth[axis]).abs();
+            assert!(off < 4.0 * sigma[axis], "{section} {key} {axis}: {found:?} {sigma:?}");
+        }
+    }
+    let walk = values(&scene, "gyro", "random_walk_deg_sqrt_h");
+    assert!(walk.iter().all(|walk| (walk / 0.1 - 1.0).abs() < 0.2), "{walk:?}");
+    done(&folder, &["fly", "imu_sensor.toml", "--quiet", "--set", "flight.hours=0.02", "-o", "again"]);
+
+    // The same as JSON, and as a table with tabs and other names.
+    let json = done(&folder, &identify(&["--prior", "tactical", "--json", "-o", "b.toml"]));
+    assert!(json.contains("\"bias x\": {\"value\": ") && json.trim_end().ends_with('}'), "{json}");
+    assert_eq!(json.matches('{').count(), json.matches('}').count());
+    let rows = read(folder.join("imu.csv"));
+    let tabs: String = rows.lines().filter(|line| !line.starts_with("time_s")).fold(
+        "#timestamp [ms]\ta\tb\tc\tdelta x [rad]\tdelta y [rad]\tdelta z [rad]\tdelta vx [m/s]\tdelta vy [m/s]\tdelta vz [m/s]\n".to_owned(),
+        |text, line| {
+            let (time, rest) = line.split_once(',').unwrap();
+            let time_ms = time.parse::<f64>().unwrap() * 1e3;
+            text + &format!("{time_ms}\t{}\n", rest.replace(',', "\t"))
+        },
+    );
+    std::fs::write(folder.join("tabs.csv"), tabs).unwrap();
+    let arguments = identify(&["--prior", "tactical", "-o", "tabs.toml"]);
+    let arguments: Vec<&str> =
+        arguments.iter().map(|word| if *word == "imu.csv" { "tabs.csv" } else { word }).collect();
+    done(&folder, &arguments);
+    let of_tabs = read(folder.join("tabs.toml"));
+    let biases = |scene: &str| values(scene, "gyro", "bias_deg_h");
+    for (one, other) in biases(&of_tabs).iter().zip(biases(&scene)) {
+        assert!((one - other).abs() < 1e-3, "{one} {other}");
+    }
+}
+
+/// Axes exchanged and turned, and a clock that is behind: the scene has the attitude of the block.
+#[test]
+fn axes_and_clock_are_said_in_words() {
+    let folder = folder("turned");
+    record(&folder, "aerobatics", &["mounting.boresight_deg=[180, 0, 90.5]"]);
+    let shifted: String = read(folder.join("imu.csv"))
+        .lines()
+        .map(|line| {
+            match line.split_once(',').and_then(|(time, rest)| Some((time.parse::<f64>().ok()?, rest))) {
+                Some((time, rest)) => format!("{},{rest}\n", time - 0.0331),
+                None => format!("{line}\n"),
+            }
+        })
+        .collect();
+    std::fs::write(folder.join("imu.csv"), shifted).unwrap();
+    let table = done(&folder, &identify(&["--prior", "tactical"]));
+    assert!(table.contains("z of the record is z of the path, reversed"), "{table}");
+    assert!(table.contains("clock: 33.1"), "{table}");
+    let scene = read(folder.join("imu_sensor.toml"));
+    let angles = values(&scene, "mounting", "boresight_deg");
+    let off = |found: f64, truth: f64| ((found - truth + 540.0) % 360.0 - 180.0).abs();
+    assert!(
+        off(angles[0], 180.0) < 0.02 && angles[1].abs() < 0.02 && off(angles[2], 90.5) < 0.02,
+        "{angles:?}"
+    );
+}
+
+/// What makes a record unfit is named with its remedy, and nothing is written.
+#[test]
+fn unfit_records_are_named() {
+    let folder = folder("unfit");
+    record(&folder, "aerobatics", &[]);
+    let rows = read(folder.join("imu.csv"));
+    let in_degrees = rows.replace("_rad", "_rad_").replace("angle_increment_x_rad_", "angle_increment_x_rad");
+    assert_ne!(in_degrees, rows);
+    std::fs::write(folder.join("bad.csv"), in_degrees).unwrap();
+    let refused = |file: &str, more: &[&str], words: &str| {
+        let arguments = identify(more);
+        let arguments: Vec<&str> =
+            arguments.iter().map(|word| if *word == "imu.csv" { file } else { word }).collect();
+        let (code, _, errors) = run(&folder, &arguments);
+        assert!(code == 2 && errors.contains(words), "{code} {errors}");
+    };
+    refused("bad.csv", &[], "expected three columns of gyros and three of accelerometers, found 1 and 3");
+    let scaled = |factor: f64| -> String {
+        rows.lines()
+            .map(|line| {
+                let fields: Vec<String> = line
+                    .split(',')
+                    .enumerate()
+                    .map(|(place, field)| match field.parse::<f64>() {
+                        Ok(value) if (4..7).contains(&place) => (value * factor).to_string(),
+                        _ => field.to_owned(),
+                    })
+                    .collect();
+                fields.join(",") + "\n"
+            })
+            .collect()
+    };
+    std::fs::write(folder.join("degrees.csv"), scaled(180.0 / std::f64::consts::PI)).unwrap();
+    refused("degrees.csv", &[], "are the rates in deg/s, read as rad/s?");
+    std::fs::write(folder.join("mdps.csv"), scaled(1e3 * 180.0 / std::f64::consts::PI)).unwrap();
+    refused("mdps.csv", &[], "are the rates in mdps, read as rad/s?");
+    std::fs::write(folder.join("rates.csv"), scaled(0.02)).unwrap();
+    refused("rates.csv", &[], "are these increments, read as rates?");
+    std::fs::write(folder.join("mirrored.csv"), scaled(-1.0)).unwrap();
+    refused("mirrored.csv", &[], "left-handed axes");
+    // A clock that is set, with its line; a wild row, with its time; a record of the wrong rate, with that as which it is read.
+    let changed = |lines: std::ops::Range<usize>, change: &dyn Fn(&mut Vec<String>)| -> String {
+        let rows = rows.lines().zip(1..).map(|(text, line)| {
+            let mut fields: Vec<String> = text.split(',').map(str::to_owned).collect();
+            if lines.contains(&line) {
+                change(&mut fields);
+            }
+            fields.join(",") + "\n"
+        });
+        rows.collect()
+    };
+    let time = |of: fn(f64) -> f64| {
+        move |fields: &mut Vec<String>| fields[0] = of(fields[0].parse().unwrap()).to_string()
+    };
+    std::fs::write(folder.join("set.csv"), changed(200..usize::MAX, &time(|time| time + 1.7e9))).unwrap();
+    refused("set.csv", &[], "set.csv:200: column time_s: a stamp of 1700000");
+    std::fs::write(folder.join("wild.csv"), changed(500..501, &|fields| fields[4] = "3e6".into())).unwrap();
+    refused("wild.csv", &[], "record.angle at 9.98 s = 150000000: must be from -1000000 to 1000000");
+    std::fs::write(folder.join("fast.csv"), changed(2..usize::MAX, &time(|time| time * 1e-3))).unwrap();
+    refused("fast.csv", &[], "at least 50; it is read as 0.3 s of rows at 50000 Hz");
+    refused(
+        "imu.csv",
+        &["--imu-columns", "time_s=s,time_s=s"],
+        "--imu-columns: \"time_s\" stands there twice",
+    );
+    record(&folder, "commuter", &[]);
+    refused("imu.csv", &[], "is it of the same flight?");
+    refused("imu.csv", &["--prior", "best"], "--prior best: expected");
+    refused("none.csv", &[], "none.csv");
+    assert!(!folder.join("imu_sensor.toml").exists() && !folder.join("degrees_sensor.toml").exists());
+}
+
+/// A scene names the log of the path only if it reads the log as the path was read.
+#[test]
+fn a_log_that_needs_a_mapping_is_not_flown_without_it() {
+    let folder = folder("mapped");
+    let log = concat!(env!("CARGO_MANIFEST_DIR"), "/../../c_examples/flights/fighter_aerobatics.csv");
+    std::fs::copy(log, folder.join("log.csv")).unwrap();
+    let fly = [
+        "fly",
+        "log.csv",
+        "--preset",
+        "tactical",
+        "--quiet",
+        "--imu",
+        "imu.csv",
+        "-o",
+        "out",
+        "--set",
+        "options.subsamples=1",
+    ];
+    done(&folder, &fly);
+    let said = done(&folder, &["identify", "log.csv", "--imu", "out/imu.csv", "-o", "a.toml"]);
+    assert!(said.contains("drifts on this path"), "{said}");
+    assert!(read(folder.join("a.toml")).contains("[flight]\nfile = \"log.csv\"\n"));
+    let foreign = read(folder.join("log.csv")).replacen("time_s", "t", 1);
+    std::fs::write(folder.join("foreign.csv"), foreign).unwrap();
+    let mapped = ["identify", "foreign.csv", "--imu", "out/imu.csv", "-o", "b.toml", "--set", "log.time=t"];
+    let said = done(&folder, &mapped);
+    assert!(said.contains("flies these sensors on another path"), "{said}");
+    let scene = read(folder.join("b.toml"));
+    assert!(scene.contains("needs the [log]") && !scene.contains("file ="), "{scene}");
+    done(&folder, &["fly", "b.toml", "--quiet", "--set", "flight.hours=0.01", "-o", "b"]);
+}
+
+/// Consumer sensors are 100 km off after minutes: a record as it is diverges there, which is a result.
+#[test]
+fn flights_that_diverge_are_a_result_of_the_check() {
+    let folder = folder("diverged");
+    let path = ["racetrack", "--set", "flight.hours=0.8", "--set", "flight.rate_hz=5"];
+    done(&folder, &[&["fly"], &path[..], &["--preset", "consumer", "--imu", "imu.csv"]].concat());
+    let check = ["--imu", "sins_out/imu.csv", "--prior", "consumer", "--check", "--twins", "40"];
+    let table = done(&folder, &[&["identify"], &path[..], &check[..]].concat());
+    let last = table.lines().find(|line| line.starts_with("  10 min ")).unwrap();
+    assert!(last.contains(" diverged ") && last.ends_with("agrees"), "{table}");
+    assert!(table.contains("\nthe prediction agrees with the record\n"), "{table}");
+    let json = done(&folder, &[&["identify"], &path[..], &check[..], &["--json", "--force"]].concat());
+    assert!(json.contains("\"free_m\": null") && !json.contains("inf"), "{json}");
+}
+
+/// The first half of a record predicts how far the sensors drift in the other half; a row without a value is left out.
+#[test]
+fn the_rest_of_a_record_is_checked() {
+    let folder = folder("checked");
+    record(&folder, "aerobatics", &["flight.hours=0.11", "flight.rate_hz=25"]);
+    let truth = ["identify", "aerobatics", "--set", "flight.hours=0.11", "--set", "flight.rate_hz=25"];
+    let of = |file: &'static str, more: &[&'static str]| -> Vec<&str> {
+        truth
+            .into_iter()
+            .chain(["--prior", "tactical", "--imu", file, "--force"])
+            .chain(more.iter().copied())
+            .collect()
+    };
+    let check = ["--check", "--twins", "40"];
+    let table = done(&folder, &of("imu.csv", &check));
+    assert!(
+        table.contains("check: the figures above are those of the first half of the rows that the path has"),
+        "{table}"
+    );
+    assert!(
+        table.contains("\n  10 s ") && table.contains("the prediction agrees with the record"),
+        "{table}"
+    );
+    assert!(
+        read(folder.join("imu_sensor.toml"))
+            .contains("found in the first half of the common rows of imu.csv")
+    );
+    let json = done(&folder, &of("imu.csv", &["--check", "--twins", "40", "--json"]));
+    assert!(
+        json.contains("\"check\": {\"length_s\": 197") && json.contains("\"verdict\": \"agrees\""),
+        "{json}"
+    );
+    assert_eq!(json.matches('{').count(), json.matches('}').count());
+    assert!(!done(&folder, &of("imu.csv", &[])).contains("check:"));
+
+    let rows = read(folder.join("imu.csv"));
+    let header = rows.lines().find(|line| line.starts_with("time_s")).unwrap();
+    let hole = format!("{header}\n0.001{}\n", ",".repeat(header.matches(',').count()));
+    std::fs::write(folder.join("hole.csv"), rows.replacen(&format!("{header}\n"), &hole, 1)).unwrap();
+    let table = done(&folder, &of("hole.csv", &[]));
+    assert!(table.contains("1 row without a value is left out, the first in line"), "{table}");
+
+    for (more, words) in [
+        (&["--check", "--truth-sigma", "speed=1"][..], "--truth-sigma speed=1: expected NAME=NUMBER"),
+        (&["--truth-sigma", "velocity_m_s=1"], "--check"),
+        (&["--check", "--twins", "3"], "40"),
+        (&["--check", "--truth-sigma", "tilt_arcmin=1e9"], "truth.tilt_rad = "),
+    ] {
+        let (code, _, errors) = run(&folder, &of("imu.csv", more));
+        assert!(code == 2 && errors.contains(words), "{more:?}: {code} {errors}");
+    }
+}
