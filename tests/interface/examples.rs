@@ -292,10 +292,10 @@ fn the_harness_names_every_fault_and_its_place() {
             assert!(text(&output.stderr).contains(words), "{arguments:?}: {}", text(&output.stderr));
         }
     }
-    // All faults of a text at once, as the README shows them.
-    let readme = std::fs::read_to_string(project_file("README.md")).unwrap();
+    // All faults of a text at once, as docs/scenes.md shows them.
+    let page = std::fs::read_to_string(project_file("docs/scenes.md")).unwrap();
     let output = Command::new(&harness).arg("scene.toml").current_dir(&folder).output().unwrap();
     assert_eq!((output.status.code(), text(&output.stderr).lines().count()), (Some(1), 2));
-    assert!(text(&output.stderr).lines().all(|line| readme.contains(line)), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).lines().all(|line| page.contains(line)), "{}", text(&output.stderr));
     assert_eq!(Command::new(&harness).output().unwrap().status.code(), Some(2));
 }

@@ -302,18 +302,18 @@ fn scenes_are_listed_checked_and_written() {
 }
 
 #[test]
-fn the_scene_of_the_readme_flies() {
-    let folder = folder("readme");
-    let readme = read(project_file("README.md"));
-    let (text, _) = readme.split_once("```toml\n").unwrap().1.split_once("```").unwrap();
+fn the_scene_of_the_page_flies() {
+    let folder = folder("page");
+    let page = read(project_file("docs/scenes.md"));
+    let (text, _) = page.split_once("```toml\n").unwrap().1.split_once("```").unwrap();
     let flights = project_file("c_examples/flights");
     std::fs::write(
-        folder.join("readme.toml"),
+        folder.join("own.toml"),
         text.replace("../flights", &flights.to_str().unwrap().replace('\\', "/")),
     )
     .unwrap();
-    done(&folder, &["fly", "readme.toml", "-q", "--set", "flight.hours=0.02"]);
-    assert!(folder.join("sins_out/readme.csv").exists());
+    done(&folder, &["fly", "own.toml", "-q", "--set", "flight.hours=0.02"]);
+    assert!(folder.join("sins_out/own.csv").exists());
 }
 
 #[test]
