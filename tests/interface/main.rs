@@ -10,6 +10,7 @@ mod support;
 
 #[cfg(feature = "scenes")]
 mod c_side;
+mod compatible;
 #[cfg(feature = "scenes")]
 mod examples;
 #[cfg(feature = "scenes")]
