@@ -6,15 +6,17 @@ import { Display } from "./display.mjs";
 import { of_link, on_drop, choose, save, text_of, to_link, unpacked } from "./files.mjs";
 import { fields, group, items, presets, section_name, select_place } from "./form.mjs";
 import { lesson_made, lesson_of, row_of } from "./lessons.mjs";
-import { Scene } from "./scene.mjs";
+import { Scene, unit_name } from "./scene.mjs";
 import { element, language, options, parts, read_texts, remember_language, speak, stored_language, text } from "./texts.mjs";
-import { fly_log, refresh_within, trajectory } from "./trajectory.mjs";
+import { fly_log, GENERAL, refresh_within, trajectory } from "./trajectory.mjs";
 import { Colleague, serve } from "./worker.mjs";
 
 /** Time after the last letter in the text, or the last change of the scene, after which others follow [ms]. */
 const PAUSE_MS = 300;
 /** Sample rate of the flight that the page opens with, which it flies at once [Hz]. */
 const OPENING_HZ = 1;
+/** The only key of the output that has a meaning in a page. */
+const OUTPUT = "output.every_s";
 
 class Page {
     constructor(sins, module) {
@@ -28,7 +30,7 @@ class Page {
         this.scene = new Scene(sins);
         this.pilot = new Colleague(this.address, module);
         this.scene.addEventListener("change", ({ source }) => this.on_change(source));
-        this.scene.addEventListener("refused", () => refresh_within(this.panels[this.tab].panel));
+        this.scene.addEventListener("refused", () => this.refresh_fields());
         on_drop((file) => this.take_file(file));
         addEventListener("hashchange", () => this.open_link());
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.display.draw() ?? this.cost.draw());
@@ -104,7 +106,7 @@ class Page {
             ],
             [names[2]]: () => [presets(scene, "start"), section("start"), group(section_name("mounting"), section("mounting"))],
             [text("Unit")]: () => [group(text("Panel of the INS"), items(scene, "panel", () => '[[panel]]\nkind = "align"\nat_s = 0\n')), section("unit")],
-            [text("Text")]: () => [this.text, this.faults, group(section_name("output"), section("output")), group(text("Updates"), items(scene, "update", () => '[[update]]\nkind = "position"\nat_s = 60\nsigma_m = 10\n'))],
+            [text("Text")]: () => [this.text, this.faults, group(section_name("output"), fields(scene, [scene.key(OUTPUT)])), group(text("Updates"), items(scene, "update", () => '[[update]]\nkind = "position"\nat_s = 60\nsigma_m = 10\n'))],
         };
         const list = element("div", { role: "tablist" });
         this.panels = Object.entries(settings).map(([name, make], k) => {
@@ -117,8 +119,29 @@ class Page {
             return { tab, make, panel: element("div", { role: "tabpanel", id: `panel${k}`, "aria-labelledby": `tab${k}` }) };
         });
         this.choose_tab(this.tab);
-        return [list, ...this.panels.map(({ panel }) => panel)];
+        const tabs = element("div", {}, list, ...this.panels.map(({ panel }) => panel));
+        return [...this.finder(tabs), tabs];
     }
+
+    /** A field that finds keys by words of their name, meaning and unit, and the fields found, shown instead of the tabs. */
+    finder(tabs) {
+        const { scene } = this, given = (key) => `${key.path} ${this.name_of(key)} ${scene.meaning(key.path)} ${unit_name(key)}`.toLowerCase();
+        const can_stand = scene.keys.filter((key) => this.name_of(key) && key.name !== "preset" && (key.section !== "flight" || GENERAL.includes(key.name)));
+        const field = element("input", { type: "search", id: "find", "aria-label": text("Find a setting"), placeholder: text("Find a setting") });
+        field.oninput = () => {
+            const words = field.value.toLowerCase().split(/\s+/).filter(Boolean), is_asked = words.length > 0;
+            const keys = can_stand.filter((key) => is_asked && words.every((word) => given(key).includes(word)));
+            const groups = Object.entries(Object.groupBy(keys, ({ section }) => section)).map(([, own]) => group(this.name_of(own[0]), fields(scene, own)));
+            [tabs.hidden, this.found.hidden] = [is_asked, !is_asked];
+            this.found.replaceChildren(...(groups.length ? groups : [text("No such setting")]));
+            refresh_within(this.found);
+        };
+        this.found = element("div", { hidden: "" });
+        return [element("div", { class: "bar" }, field), this.found];
+    }
+
+    /** The name of the section of a key that has a field on the page. */
+    name_of = ({ section, path }) => (section === "output" ? path === OUTPUT && section_name(section) : section === "unit" ? text("Unit") : section_name(section));
 
     /** Shows a panel of the settings, which is made when it is first shown. Returns its tab. */
     choose_tab(chosen) {
@@ -131,6 +154,10 @@ class Page {
         });
         refresh_within(this.panels[chosen].panel);
         return this.panels[chosen].tab;
+    }
+
+    refresh_fields() {
+        for (const made of [this.panels[this.tab].panel, this.found]) refresh_within(made);
     }
 
     /** Calls something after a pause, once. */
@@ -152,7 +179,7 @@ class Page {
     refresh(source = null) {
         const { scene } = this;
         if (source !== "text") this.text.value = scene.text;
-        refresh_within(this.panels[this.tab].panel);
+        this.refresh_fields();
         const in_text = scene.faults.filter((fault) => fault.in_text);
         this.faults.replaceChildren(...in_text.map((fault) => {
             const go = () => select_place(this.text, Number(fault.line), Number(fault.column));

@@ -6,6 +6,8 @@ import { element, label, options, parts, text } from "./texts.mjs";
 import { quoted } from "./scene.mjs";
 
 const BUILTIN = 0, MANOEUVRES = 1, LOG = 2; // in the order of the text "sources"
+/** Keys of every flight. */
+export const GENERAL = ["title", "hours", "rate_hz", "temperature_c", "temperature_change_c_h"];
 const NEW_MANOEUVRE = '[[manoeuvre]]\nkind = "straight"\nduration_s = 60\n';
 
 /** The flight of a built-in scene is that of another one, or its own. */
@@ -55,8 +57,7 @@ export function trajectory(scene, take_file) {
     builtin.onchange = () => set_source(BUILTIN);
 
     const of_flight = (wanted) => scene.keys.filter((key) => key.section === "flight" && wanted(key.name));
-    const is_general = (name) => ["title", "hours", "rate_hz", "temperature_c", "temperature_change_c_h"].includes(name);
-    const start = group(text("Start of the flight"), fields(scene, of_flight((name) => !is_general(name) && name !== "file" && name !== "builtin")));
+    const start = group(text("Start of the flight"), fields(scene, of_flight((name) => !GENERAL.includes(name) && name !== "file" && name !== "builtin")));
     const table = group(text("Columns of the log"), fields(scene, scene.keys.filter((key) => key.section === "log")));
     const path = group(text("Manoeuvres"), items(scene, "manoeuvre", () => NEW_MANOEUVRE));
     let shown_text = null;
@@ -65,7 +66,7 @@ export function trajectory(scene, take_file) {
         {},
         element("div", { class: "bar scene" }, whole, take),
         element("section", {}, element("h3", {}, text("Flight")), row("source", text("Kind"), source), ...rows),
-        fields(scene, of_flight(is_general)),
+        fields(scene, of_flight((name) => GENERAL.includes(name))),
         start,
         path,
         table,

@@ -9,7 +9,7 @@ import test, { after, before } from "node:test";
 
 import { at_times, tick_texts } from "../../apps/page/curves.mjs";
 import { lessons_of } from "../../apps/page/lessons_of.mjs";
-import { drop, fly, opened, out, press, same_as_program, set, start, stop, until, write } from "./user.mjs";
+import { drop, fly, opened, out, press, same_as_program, set, start, stop, tab, until, write } from "./user.mjs";
 
 const { SINS } = process.env;
 const LESSONS = lessons_of("apps/page/lessons");
@@ -50,6 +50,39 @@ test("curves are kept: drawn below the next flight in colours of their own, in a
     await page.getByRole("link", { name: LESSONS[0].en.title, exact: true }).click(); // another lesson begins anew
     await until(page, /^Finished: 24 h/);
     assert.deepEqual(await names(), before);
+});
+
+test("a setting is found by words of its name, meaning and unit, in both languages, and set where it was found", async (context) => {
+    const page = await opened(context, { hash: "" });
+    await until(page, /^Finished/);
+    for (const place of [4, 0]) await tab(page, place);
+    const paths = () => page.locator("aside [data-path]:visible").evaluateAll((all) => all.map((own) => own.dataset.path));
+    const tabs = await paths();
+    assert.ok(tabs.includes("flight.hours"));
+    await page.fill("#find", "Gyros bias °/h");
+    const found = await paths();
+    assert.ok(found.includes("gyro.bias_deg_h") && found.every((path) => /^gyro\..*deg_h/.test(path)), found);
+    await page.locator('[data-path="gyro.bias_deg_h"]:visible').fill("0.25");
+    await page.keyboard.press("Enter");
+    await until(page, /^Finished/);
+    assert.match(await page.inputValue("#text"), /^bias_deg_h = 0\.25 /m);
+    await page.locator('[data-path="gyro.bias_deg_h"]:visible').fill("1e9"); // a fault stands where it was made
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => [...document.querySelectorAll(".fault")].some((own) => own.checkVisibility() && /bias_deg_h/.test(own.value ?? "")));
+    for (const [words, path] of [["sample rate", "flight.rate_hz"], ["output.every", "output.every_s"], ["alignment_s", "unit.alignment_s"]]) {
+        await page.fill("#find", words);
+        assert.ok((await paths()).includes(path), `${words}: ${await paths()}`);
+    }
+    // What a page cannot use is not found: names of files and folders.
+    for (const words of ["output.folder", "flight.file", "nothing of this name"]) {
+        await page.fill("#find", words);
+        assert.deepEqual([await paths(), await page.getByText("No such setting").isVisible()], [[], true], words);
+    }
+    await page.selectOption("#language", "zh");
+    await page.fill("#find", "陀螺 零偏");
+    assert.ok((await paths()).includes("gyro.bias_deg_h"), await paths());
+    await page.selectOption("#language", "en");
+    assert.deepEqual(await paths(), tabs);
 });
 
 test("the chosen quantity stays when the language changes, the list says what flies, and Start is the first stop of Tab", async (context) => {
