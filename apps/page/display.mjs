@@ -270,7 +270,7 @@ export class Display {
 
     async save_picture() {
         if (!this.points) return this.say(text("nothing_flown"), true);
-        save(await this.curves.picture(`${this.quantity.name()}: ${this.scene.get("flight.title") || this.name()}`), `${this.name()}.png`);
+        save(await this.curves.picture(`${this.quantity.name()}: ${this.scene.title || this.name()}`), `${this.name()}.png`);
     }
 
     /** The base name of files. */

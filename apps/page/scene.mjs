@@ -103,7 +103,14 @@ export class Scene extends EventTarget {
     open(handle) {
         this.handle?.close();
         this.handle = handle;
+        this.titled = { title: this.get("flight.title"), what: what_flies(this.text) };
         this.told_of_change([], "opened");
+    }
+
+    /** What the scene calls itself, unless it is no longer the scene that was opened under that title. */
+    get title() {
+        const title = this.get("flight.title");
+        return title === this.titled.title && what_flies(this.text) !== this.titled.what ? "" : title;
     }
 
     told_of_change(faults, source = null) {
@@ -194,6 +201,9 @@ export class Scene extends EventTarget {
         return faults;
     }
 }
+
+/** What a title may speak of: all but options, output and rate. */
+const what_flies = (written) => written.replace(/^(#.*\n)?\[(options|output)\]\n(.+\n)*\n?|^rate_hz = .*\n/gm, "").trim();
 
 export const unit_name = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√").replace(/2$/, "²");
 

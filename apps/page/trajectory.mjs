@@ -77,7 +77,7 @@ export function trajectory(scene, take_file) {
         const written = scene.text;
         if (written !== shown_text) {
             shown_text = written;
-            own.textContent = scene.get("flight.title") || log_of(scene) || text("own_scene");
+            own.textContent = scene.title || log_of(scene) || text("own_scene");
             whole.value = names.find((name) => texts.get(name) === written) ?? "";
             whole.onchange();
         }

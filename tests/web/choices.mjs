@@ -9,7 +9,7 @@ import test, { after, before } from "node:test";
 
 import { at_times, tick_texts } from "../../apps/page/curves.mjs";
 import { lessons_of } from "../../apps/page/lessons_of.mjs";
-import { drop, fly, opened, out, press, same_as_program, set, start, stop, tab, until, write } from "./user.mjs";
+import { drop, fly, opened, out, press, same_as_program, set, start, stop, tab, unfold, until, write } from "./user.mjs";
 
 const { SINS } = process.env;
 const LESSONS = lessons_of("apps/page/lessons");
@@ -101,6 +101,16 @@ test("the chosen quantity stays when the language changes, the list says what fl
         await page.click("[data-do=open_builtin]");
         assert.equal(await page.locator('[data-path="scene"]').inputValue(), own);
     }
+    // A title is that of what was opened: not of another flight or other errors, but with any options.
+    await tab(page, 1);
+    await unfold(page);
+    await set(page, "options.subsamples", "3");
+    await tab(page, 0);
+    assert.match(await listed(), /^Loops, rolls/);
+    await tab(page, 1);
+    await set(page, "gyro.bias_deg_h", "0.25");
+    await tab(page, 0);
+    assert.equal(await listed(), "This scene");
     await set(page, "flight.title", "My own");
     assert.equal(await listed(), "My own");
 });
