@@ -57,6 +57,14 @@ class Flights(unittest.TestCase):
         self.assertGreater(len(shared), 20, list(expected))
         pandas.testing.assert_frame_equal(found[shared], expected[shared].astype(float), check_exact=True)
 
+    def test_a_title_is_that_of_what_flies(self):
+        titled, hour = "simulation2", {"hours": 0.02}
+        whole = sins.fly("aerobatics", options={"subsamples": 3}).title
+        self.assertEqual(whole, "Loops, rolls, S-turns, climbs, turns at 70 degrees of bank")
+        self.assertEqual(sins.fly("aerobatics", gyro="tactical").title, "aerobatics")
+        self.assertNotIn("0.01", sins.fly(titled, **hour, gyro={"bias_deg_h": 5}).title)
+        self.assertEqual(sins.fly(titled, **hour, flight={"title": "Mine"}).title, "Mine")
+
     def test_flies_as_the_program(self):
         settings = {"gyro": {"preset": "tactical", "bias_deg_h": [1, 2, 3]}, "options": {"seed": 7, "error_model": "rk4"}}
         sets = ["gyro.preset=tactical", "gyro.bias_deg_h=[1,2,3]", "options.seed=7", "options.error_model=rk4"]

@@ -208,6 +208,11 @@ def _lines(paths: Mapping[str, Any], settings: Mapping[str, Setting]) -> str:
     return "\n".join(f"{path} = {value}" for path, value in lines.items())
 
 
+def _of_title(text: str) -> str:
+    """What the title of a scene may speak of: all of its text but options, output and rate."""
+    return re.sub(r"^(#.*\n)?\[(options|output)\]\n(.+\n)*\n?|^rate_hz = .*\n", "", text, flags=re.MULTILINE).strip()
+
+
 def _all(read: Callable[[int], Any]) -> "Iterator[Any]":
     """What the library lists by index."""
     try:
@@ -226,7 +231,7 @@ class Scene:
         self.samples: "Optional[npt.NDArray[Any]]" = None
         """All samples of a trajectory."""
         self.log: Any = None
-        folder = ""
+        folder = own = ""
         if isinstance(flown, Trajectory):
             self.handle = c.scene_create()
             c.scene_set_text(self.handle, c.SCENE_TEXT_LOG, "trajectory")
@@ -234,8 +239,9 @@ class Scene:
         else:
             name = os.fspath(flown)
             folder = os.path.dirname(name)
+            own = os.path.basename(name)
             if "\n" in name:
-                folder = ""
+                folder = own = ""
                 self.handle = c.scene_parse(name)
             elif name.endswith(".toml"):
                 with open(name, "rb") as file:
@@ -249,6 +255,7 @@ class Scene:
                 except c.Error as error:
                     error.args = (f"{name!r}: must be a built-in scene ({', '.join(_all(c.scene_builtin_name))}), or a file .toml, .csv, .igc, .gpx or .fdr",)
                     raise
+        titled = _of_title(c.scene_write(self.handle))
         lines = _lines({"flight.hours": hours, "output.every_s": every_s}, settings)
         try:
             c.scene_set_values(self.handle, lines)
@@ -264,8 +271,10 @@ class Scene:
             warn(finding for finding in findings(self.log, c.scene_get_options(self.handle)) if finding.level != "note")
         self.info = c.scene_get_samples(self.handle, self.log)
         """Number of samples, their period and duration."""
-        texts = (c.SCENE_TEXT_TITLE, c.SCENE_TEXT_LOG, c.SCENE_TEXT_BUILTIN)
-        self.title: str = next(filter(None, (c.scene_get_text(self.handle, text) for text in texts)), "")
+        title, log, builtin = (c.scene_get_text(self.handle, text) for text in (c.SCENE_TEXT_TITLE, c.SCENE_TEXT_LOG, c.SCENE_TEXT_BUILTIN))
+        if _of_title(self.text) != titled and "\nflight.title = " not in f"\n{lines}":
+            title = ""  # it speaks of what the settings have replaced
+        self.title: str = title or log or builtin or own
         self._flight: Any = None
 
     def plans(self, *items: str) -> bool:
