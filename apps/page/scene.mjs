@@ -110,7 +110,7 @@ export class Scene extends EventTarget {
     /** What the scene calls itself, unless it is no longer the scene that was opened under that title. */
     get title() {
         const title = this.get("flight.title");
-        return title === this.titled.title && what_flies(this.text) !== this.titled.what ? "" : title;
+        return title === this.titled.title && this.titled.what.some((line) => !what_flies(this.text).includes(line)) ? "" : title;
     }
 
     told_of_change(faults, source = null) {
@@ -202,8 +202,8 @@ export class Scene extends EventTarget {
     }
 }
 
-/** What a title may speak of: all but options, output and rate. */
-const what_flies = (written) => written.replace(/^(#.*\n)?\[(options|output)\]\n(.+\n)*\n?|^rate_hz = .*\n/gm, "").trim();
+/** The lines of which a title may speak: all but options, output and rate; and the number of manoeuvres. */
+const what_flies = (written) => [...written.replace(/^\[(options|output)\]\n(.+\n)*|^rate_hz = .*\n/gm, "").split("\n"), written.split("[[man").length];
 
 export const unit_name = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√").replace(/2$/, "²");
 

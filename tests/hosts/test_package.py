@@ -59,9 +59,9 @@ class Flights(unittest.TestCase):
 
     def test_a_title_is_that_of_what_flies(self):
         titled, hour = "simulation2", {"hours": 0.02}
-        whole = sins.fly("aerobatics", options={"subsamples": 3}).title
-        self.assertEqual(whole, "Loops, rolls, S-turns, climbs, turns at 70 degrees of bank")
-        self.assertEqual(sins.fly("aerobatics", gyro="tactical").title, "aerobatics")
+        for added in ({}, {"options": {"subsamples": 3}}, {"hours": 0.01, "gyro": "tactical"}):
+            self.assertEqual(sins.fly("aerobatics", **added).title, "Loops, rolls, S-turns, climbs, turns at 70 degrees of bank")
+        self.assertEqual(sins.fly("aerobatics", flight={"speed_m_s": 190}).title, "aerobatics")
         self.assertNotIn("0.01", sins.fly(titled, **hour, gyro={"bias_deg_h": 5}).title)
         self.assertEqual(sins.fly(titled, **hour, flight={"title": "Mine"}).title, "Mine")
 

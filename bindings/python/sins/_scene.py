@@ -208,9 +208,10 @@ def _lines(paths: Mapping[str, Any], settings: Mapping[str, Setting]) -> str:
     return "\n".join(f"{path} = {value}" for path, value in lines.items())
 
 
-def _of_title(text: str) -> str:
-    """What the title of a scene may speak of: all of its text but options, output and rate."""
-    return re.sub(r"^(#.*\n)?\[(options|output)\]\n(.+\n)*\n?|^rate_hz = .*\n", "", text, flags=re.MULTILINE).strip()
+def _of_title(text: str, title: str) -> "set[str]":
+    """The lines of a scene of which its title may speak: all but options, output and rate, and the hours only if it names their number."""
+    lines = re.sub(r"^\[(options|output)\]\n(.+\n)*|^rate_hz = .*\n", "", text, flags=re.MULTILINE).split("\n")
+    return {line for line in lines if not line.startswith("hours = ") or line.split()[2] in title}
 
 
 def _all(read: Callable[[int], Any]) -> "Iterator[Any]":
@@ -255,7 +256,8 @@ class Scene:
                 except c.Error as error:
                     error.args = (f"{name!r}: must be a built-in scene ({', '.join(_all(c.scene_builtin_name))}), or a file .toml, .csv, .igc, .gpx or .fdr",)
                     raise
-        titled = _of_title(c.scene_write(self.handle))
+        title = c.scene_get_text(self.handle, c.SCENE_TEXT_TITLE)
+        titled = _of_title(c.scene_write(self.handle), title)
         lines = _lines({"flight.hours": hours, "output.every_s": every_s}, settings)
         try:
             c.scene_set_values(self.handle, lines)
@@ -271,10 +273,9 @@ class Scene:
             warn(finding for finding in findings(self.log, c.scene_get_options(self.handle)) if finding.level != "note")
         self.info = c.scene_get_samples(self.handle, self.log)
         """Number of samples, their period and duration."""
-        title, log, builtin = (c.scene_get_text(self.handle, text) for text in (c.SCENE_TEXT_TITLE, c.SCENE_TEXT_LOG, c.SCENE_TEXT_BUILTIN))
-        if _of_title(self.text) != titled and "\nflight.title = " not in f"\n{lines}":
-            title = ""  # it speaks of what the settings have replaced
-        self.title: str = title or log or builtin or own
+        is_true = titled <= _of_title(self.text, title)  # or it may speak of what the settings have replaced
+        own_title, log, builtin = (c.scene_get_text(self.handle, text) for text in (c.SCENE_TEXT_TITLE, c.SCENE_TEXT_LOG, c.SCENE_TEXT_BUILTIN))
+        self.title: str = (own_title if is_true or own_title != title else "") or log or builtin or own
         self._flight: Any = None
 
     def plans(self, *items: str) -> bool:
