@@ -23,7 +23,7 @@ before(async () => ({ chromium, hour_ms } = await start()));
 after(stop);
 
 test("one file of at most 1.6 MB, made of at most 3000 lines", () => {
-    const lines = readdirSync("apps/page").map((name) => readFileSync(`apps/page/${name}`, "utf8").split("\n").length - 1);
+    const lines = readdirSync("apps/page").filter((name) => /\.(mjs|css|html)$/.test(name)).map((name) => readFileSync(`apps/page/${name}`, "utf8").split("\n").length - 1);
     const all = lines.reduce((sum, own) => sum + own, 0), bytes = statSync(SINS_PAGE).size;
     console.log(`page: ${(bytes / 1e6).toFixed(2)} MB, ${all} lines`);
     assert.ok(bytes <= MOST_BYTES && all <= MOST_LINES);
@@ -112,7 +112,11 @@ test("every key has a field with its unit and its limits", async (context) => {
     for (let k = 0; k === 0 || k < Number(key.count); k++) {
         sins.scene_get_key(k, key);
         const path = `${key.section}.${key.name}`, is_of_list = (key.flags & sins.SCENE_KEY_IN_LIST) !== 0;
-        if (is_of_list || key.name === "preset" || path === "flight.file" || path === "flight.builtin") continue;
+        const of_program = ["output.folder", "output.name", "output.imu", "output.quiet"]; // a page has neither folders nor a terminal
+        if (is_of_list || key.name === "preset" || path === "flight.file" || path === "flight.builtin" || of_program.includes(path)) {
+            assert.ok(!of_program.includes(path) || !found.has(path), path);
+            continue;
+        }
         const [own, title] = found.get(path) ?? ["", ""];
         const has_limits = (key.flags & sins.SCENE_KEY_LIMITS) === 0 || title.includes(String(Number(key.maximum.toPrecision(6))));
         if (!own.includes(key.meaning) || !has_limits || (key.unit !== "" && !/[a-zµ°√]/.test(own.split("\n").at(-2) ?? own))) missing.push(path);
