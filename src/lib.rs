@@ -200,7 +200,7 @@ pub mod truth;
 pub mod unit;
 
 pub use base::error::{Error, ErrorKind, Rule, Value};
-pub use base::{math, records, snapshot, units};
+pub use base::{figures, math, records, snapshot, units};
 pub use simulator::record;
 pub use simulator::{
     ClosureFigures, ErrorParameters, ErrorSource, ImuFlags, ImuInterval, MAX_UPDATES, Options, Simulator,

@@ -4,6 +4,8 @@
 pub mod checks;
 #[forbid(unsafe_code)]
 pub mod error;
+#[forbid(unsafe_code)]
+pub mod figures;
 pub mod instruction_set;
 #[forbid(unsafe_code)]
 pub mod joined;

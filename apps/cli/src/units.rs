@@ -1,14 +1,8 @@
 //! Units chosen by size, and numbers as text.
 
+pub use sins::figures::{MICRO_G, Unit, digits, significant, superscript, two_digits};
 pub use sins::records::rounded;
 use sins::units::{ARCSEC, DEG};
-
-/// A unit: its name, and its size in the SI unit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unit {
-    pub name: &'static str,
-    pub si: f64,
-}
 
 const fn unit(name: &'static str, si: f64) -> Unit {
     Unit { name, si }
@@ -53,9 +47,6 @@ pub const ANGLE: &Family = &Family {
 /// Degree per hour [rad/s].
 pub const DEG_PER_HOUR: Unit = unit("deg/h", sins::units::DEG_PER_HOUR);
 
-/// Millionth of g [m/s²].
-pub const MICRO_G: Unit = unit("µg", sins::units::MICRO_G);
-
 /// Nautical mile per hour [m/s].
 pub const NMI_PER_HOUR: Unit = unit("nmi/h", sins::units::NMI_PER_HOUR);
 
@@ -91,28 +82,9 @@ pub fn usual(value: f64, family: &Family) -> Unit {
     family.usual.iter().rfind(|unit| value.abs() >= unit.si).copied().unwrap_or(family.si)
 }
 
-/// Four significant digits; powers of ten where plain digits would be long.
-pub fn significant(value: f64) -> String {
-    digits(value, 3)
-}
-
 /// Two significant digits, or all before the point; powers of ten where plain digits would be long.
 pub fn short(value: f64) -> String {
     if (1e-3..1e6).contains(&value.abs()) { two_digits(value) } else { digits(value, 1) }
-}
-
-/// The first digit and `behind` more.
-fn digits(value: f64, behind: usize) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let scientific = format!("{value:.behind$e}");
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    match exponent.parse::<i32>() {
-        Ok(exponent @ -3..6) => format!("{value:.*}", usize::try_from(behind as i32 - exponent).unwrap_or(0)),
-        Ok(exponent) => format!("{mantissa}×10{}", superscript(exponent)),
-        Err(_) => scientific,
-    }
 }
 
 /// `value` [SI] with two digits in the usual unit that fits it, or in the SI unit.
@@ -127,18 +99,6 @@ pub fn brief_parts(parts: [f64; 3]) -> String {
     [brief(position, LENGTH), brief(velocity, SPEED), brief(attitude, ANGLE)].join(", ")
 }
 
-/// Two significant digits, or all before the point.
-pub fn two_digits(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return value.to_string();
-    }
-    let scale = 10f64.powi(1 - value.abs().log10().floor() as i32);
-    let rounded = (value * scale).round() / scale;
-    // The logarithm is taken again, because 9.96 rounds to a number with one more digit before the point.
-    let decimals = (1 - rounded.abs().log10().floor() as i32).max(0) as usize;
-    format!("{rounded:.decimals$}")
-}
-
 /// `value` with six significant digits.
 pub fn six_digits(value: f64) -> f64 {
     rounded(value, 6)
@@ -151,12 +111,6 @@ pub fn power_of_ten(exponent: i32) -> String {
         0..=4 => format!("{:.0}", 10f64.powi(exponent)),
         _ => format!("10{}", superscript(exponent)),
     }
-}
-
-fn superscript(number: i32) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
-    number.to_string().chars().map(raised).collect()
 }
 
 /// A time to the microsecond, "329.98 s", as an option takes it.
@@ -221,18 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_keep_four_digits() {
-        for (value, text) in [
-            (0.0, "0"),
-            (1234.56, "1235"),
-            (-0.012_345_6, "-0.01235"),
-            (1.0, "1.000"),
-            (123_456.0, "123456"),
-            (1.234_56e-9, "1.235×10⁻⁹"),
-            (-2e12, "-2.000×10¹²"),
-        ] {
-            assert_eq!(significant(value), text);
-        }
+    fn powers_of_ten_are_plain_or_raised() {
         assert_eq!(
             (power_of_ten(-2), power_of_ten(3), power_of_ten(-5)),
             ("0.01".into(), "1000".into(), "10⁻⁵".into())

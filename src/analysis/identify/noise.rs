@@ -23,6 +23,13 @@ pub struct NoiseEstimate {
     pub high: f64,
 }
 
+impl NoiseEstimate {
+    /// Whether the record shows the noise.
+    pub fn is_seen(&self) -> bool {
+        self.low > 0.0
+    }
+}
+
 /// Noise of the residual of a sensor, that of the truth included. The unit u is rad/s or m/s².
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SensorNoise {

@@ -1,11 +1,11 @@
 //! What was found as JSON, in SI units.
 
 use sins::analysis::identify::check::Check;
+use sins::analysis::identify::sheet::{Sheet, sheets};
 use sins::analysis::identify::{Estimate, Identified};
 
 use super::check;
 use super::record::Record;
-use super::sheet::{Sheet, sheets};
 
 /// The text of an object.
 pub fn text(record: &Record, found: &Identified, checked: Option<&Check>) -> String {
@@ -41,7 +41,7 @@ fn sensor(sheet: &Sheet) -> String {
             noise.value,
             noise.low,
             noise.high,
-            noise.low > 0.0
+            noise.is_seen()
         )
     });
     let all: Vec<String> = parameters.chain(noises).collect();

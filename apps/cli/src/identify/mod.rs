@@ -1,6 +1,6 @@
 //! Which errors real sensors have: a record of an IMU compared with what perfect sensors measure along the same path.
 //!
-//! The data flow is `command` → `record` → [`sins::analysis::identify`] → `sheet` → `table`, `scene`, `json`; `check` prints whether the
+//! The data flow is `command` → `record` → [`sins::analysis::identify`] → `table`, `scene`, `json`; `check` prints whether the
 //! rest of the record agrees.
 
 mod check;
@@ -8,13 +8,13 @@ mod command;
 mod json;
 mod record;
 mod scene;
-mod sheet;
 mod table;
 
 pub use command::Order;
 
 use sins::Error;
 use sins::analysis::identify::check::{Check, CheckRequest, Truth, check as fly_twins, halves};
+use sins::analysis::identify::text::MARK;
 use sins::analysis::identify::{IdealPath, Identified, Request, identify};
 use sins::analysis::recommend::Refusal;
 use sins::truth::FlightSample;
@@ -38,7 +38,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let mut inputs = given.inputs.clone();
     inputs.push(order.imu.clone());
     let output = order.output();
-    let file = Outputs::new(&inputs, order.force).file(&output, scene::MARK)?;
+    let file = Outputs::new(&inputs, order.force).file(&output, MARK)?;
     let record = Record::read(order)?;
     let (found, checked) = match &of_check {
         Some(of_check) => {

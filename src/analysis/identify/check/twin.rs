@@ -140,7 +140,7 @@ impl Twin {
 fn drawn_noise(noise: &SensorNoise, stream: &mut Xoshiro256PlusPlus) -> [f64; 3] {
     [noise.random_walk, noise.flicker, noise.rate_random_walk].map(|of: NoiseEstimate| {
         let size = normal(stream);
-        match of.low > 0.0 {
+        match of.is_seen() {
             true => of.value * exp(size * ln(of.high / of.low) / (2.0 * 1.96)),
             false => of.value,
         }

@@ -1,18 +1,23 @@
 //! What was found, in the units of data sheets.
 
-use sins::analysis::identify::{Estimate, Identified, NoiseEstimate, SensorNoise, TriadEstimate};
-use sins::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, PPM};
+use super::{Estimate, Identified, NoiseEstimate, SensorNoise, TriadEstimate};
+use crate::base::figures::{MICRO_G, Unit};
+use crate::base::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, PPM};
 
-use crate::units::{MICRO_G, Unit};
-
+/// Names of the axes.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A parameter of one sensor.
 pub struct Line {
     /// Key of a scene that has it.
     pub key: &'static str,
+    /// "bias x".
     pub name: String,
+    /// Its unit in data sheets and scenes.
     pub unit: Unit,
+    /// Its SI unit.
+    pub si: &'static str,
+    /// What was found [SI unit].
     pub estimate: Estimate,
     /// A motion that shows it: more than the record has, as less noise would too.
     pub shown_by: String,
@@ -20,17 +25,25 @@ pub struct Line {
 
 /// A coefficient of noise of one sensor.
 pub struct NoiseLine {
+    /// Key of a scene that has it.
     pub key: &'static str,
+    /// "white noise x".
     pub name: String,
+    /// Its unit in data sheets and scenes.
     pub unit: Unit,
+    /// Its SI unit.
+    pub si: &'static str,
+    /// What was found [SI unit].
     pub estimate: NoiseEstimate,
 }
 
 /// One triad: its section of a scene and its lines.
 pub struct Sheet {
+    /// Section of a scene that has it.
     pub section: &'static str,
-    pub sensor: &'static str,
+    /// Parameters that the motion shows.
     pub lines: Vec<Line>,
+    /// Coefficients of the noise.
     pub noises: Vec<NoiseLine>,
 }
 
@@ -43,34 +56,39 @@ pub fn sheets(found: &Identified) -> [Sheet; 2] {
     let hour = 60.0;
     let gyro = Sheet {
         section: "gyro",
-        sensor: "gyro",
-        lines: lines(&found.gyro, ("bias_deg_h", unit("°/h", DEG_PER_HOUR)), false),
+        lines: lines(&found.gyro, ("bias_deg_h", unit("°/h", DEG_PER_HOUR), "rad/s"), false),
         noises: noises(
             &found.noise[..3],
             [
-                ("random_walk_deg_sqrt_h", unit("°/√h", DEG_PER_SQRT_HOUR)),
-                ("flicker_deg_h", unit("°/h", DEG_PER_HOUR)),
-                ("rate_random_walk_deg_h_sqrt_h", unit("°/h/√h", DEG_PER_HOUR / hour)),
+                ("random_walk_deg_sqrt_h", unit("°/√h", DEG_PER_SQRT_HOUR), "rad/sqrt(s)"),
+                ("flicker_deg_h", unit("°/h", DEG_PER_HOUR), "rad/s"),
+                ("rate_random_walk_deg_h_sqrt_h", unit("°/h/√h", DEG_PER_HOUR / hour), "(rad/s)/sqrt(s)"),
             ],
         ),
     };
     let accel = Sheet {
         section: "accelerometer",
-        sensor: "accelerometer",
-        lines: lines(&found.accel, ("bias_micro_g", MICRO_G), true),
+        lines: lines(&found.accel, ("bias_micro_g", MICRO_G, "m/s2"), true),
         noises: noises(
             &found.noise[3..],
             [
-                ("random_walk_micro_g_sqrt_hz", unit("µg/√Hz", MICRO_G.si)),
-                ("flicker_micro_g", MICRO_G),
-                ("acceleration_random_walk_micro_g_sqrt_h", unit("µg/√h", MICRO_G.si / hour)),
+                ("random_walk_micro_g_sqrt_hz", unit("µg/√Hz", MICRO_G.si), "(m/s)/sqrt(s)"),
+                ("flicker_micro_g", MICRO_G, "m/s2"),
+                (
+                    "acceleration_random_walk_micro_g_sqrt_h",
+                    unit("µg/√h", MICRO_G.si / hour),
+                    "(m/s2)/sqrt(s)",
+                ),
             ],
         ),
     };
     [gyro, accel]
 }
 
-fn lines(triad: &TriadEstimate, (bias, bias_unit): (&'static str, Unit), is_force: bool) -> Vec<Line> {
+/// Key of a scene, its unit, and the SI unit.
+type Key = (&'static str, Unit, &'static str);
+
+fn lines(triad: &TriadEstimate, (bias, bias_unit, bias_si): Key, is_force: bool) -> Vec<Line> {
     let mut lines = Vec::new();
     let motion = |axis: usize| {
         let axis = AXES[axis];
@@ -87,32 +105,34 @@ fn lines(triad: &TriadEstimate, (bias, bias_unit): (&'static str, Unit), is_forc
             false => "a longer record".to_owned(),
         };
         let (name, estimate) = (format!("bias {letter}"), triad.bias[axis]);
-        lines.push(Line { key: bias, name, unit: bias_unit, estimate, shown_by });
+        lines.push(Line { key: bias, name, unit: bias_unit, si: bias_si, estimate, shown_by });
     }
     for (axis, letter) in AXES.into_iter().enumerate() {
         let (name, estimate) = (format!("scale factor {letter}"), triad.elements[axis][axis]);
         let unit = unit("ppm", PPM);
-        lines.push(Line { key: "scale_factor_ppm", name, unit, estimate, shown_by: motion(axis) });
+        lines.push(Line { key: "scale_factor_ppm", name, unit, si: "1", estimate, shown_by: motion(axis) });
     }
     for (row, column) in (0..9).map(|k| (k / 3, k % 3)).filter(|(row, column)| row != column) {
         let name = format!("misalignment {}{}", AXES[row], AXES[column]);
         let (estimate, unit) = (triad.elements[row][column], unit("arcsec", ARCSEC));
-        lines.push(Line { key: "misalignment_arcsec", name, unit, estimate, shown_by: motion(column) });
+        let (key, shown_by) = ("misalignment_arcsec", motion(column));
+        lines.push(Line { key, name, unit, si: "rad", estimate, shown_by });
     }
     lines
 }
 
-fn noises(of: &[SensorNoise], keys: [(&'static str, Unit); 3]) -> Vec<NoiseLine> {
+fn noises(of: &[SensorNoise], keys: [Key; 3]) -> Vec<NoiseLine> {
     let kinds = [
         ("white noise", (|noise| noise.random_walk) as fn(&SensorNoise) -> NoiseEstimate),
         ("flicker", |noise| noise.flicker),
         ("random walk", |noise| noise.rate_random_walk),
     ];
-    let all = kinds.into_iter().zip(keys).flat_map(|((name, part), (key, unit))| {
+    let all = kinds.into_iter().zip(keys).flat_map(|((name, part), (key, unit, si))| {
         of.iter().zip(AXES).map(move |(noise, axis)| NoiseLine {
             key,
             name: format!("{name} {axis}"),
             unit,
+            si,
             estimate: part(noise),
         })
     });

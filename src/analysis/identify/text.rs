@@ -1,0 +1,137 @@
+//! What was found, in words and as the sections of a scene.
+
+use nalgebra::Matrix3;
+
+use super::sheet::{AXES, Line, NoiseLine, Sheet, sheets};
+use super::{Estimate, Identified};
+use crate::base::figures::{significant, two_digits};
+use crate::base::records::rounded;
+use crate::base::units::DEG;
+use crate::earth::state::BodyAxes;
+
+/// The begin of a scene of what was found.
+pub const MARK: &str = "# sensors that sins identify found";
+/// What the begin of a scene says of its figures.
+pub const FIGURES: &str = "with intervals of 95 %. Noise is that of the record and of the path together.";
+/// Boresight below which none is written \[rad\].
+const NO_TURN: f64 = 1e-9;
+
+/// A parameter with its interval, or how it could be seen.
+pub fn seen(line: &Line) -> String {
+    match line.estimate.is_seen() {
+        true => with_interval(&line.estimate, line.unit.si, line.unit.name),
+        false => not_seen(&line.shown_by),
+    }
+}
+
+/// That a parameter is not seen, and what would show it.
+pub(super) fn not_seen(shown_by: &str) -> String {
+    format!("not seen in this motion and noise; {shown_by} would show it")
+}
+
+/// A coefficient of noise with its interval.
+pub fn of_noise(line: &NoiseLine) -> String {
+    let [value, low, high] = [line.estimate.value, line.estimate.low, line.estimate.high]
+        .map(|value| significant(value / line.unit.si));
+    match line.estimate.is_seen() {
+        true => format!("{value} ({low} to {high}) {}", line.unit.name),
+        false => format!("below {high} {}", line.unit.name),
+    }
+}
+
+/// A value and half the width of its interval, with the digits that the width has.
+pub fn with_interval(estimate: &Estimate, si: f64, unit: &str) -> String {
+    let half = two_digits(1.96 * estimate.sigma / si);
+    let decimals = half.split_once('.').map_or(0, |(_, behind)| behind.len());
+    format!("{:.decimals$} ± {half} {unit}", estimate.value / si)
+}
+
+/// The exchange of axes in words.
+pub fn axes(exchange: &Matrix3<f64>, is_seen: bool) -> String {
+    if *exchange == Matrix3::identity() {
+        let taken = "taken for those of the path; the motion does not exclude others";
+        return if is_seen { "those of the path" } else { taken }.to_owned();
+    }
+    let words: Vec<String> = (0..3)
+        .map(|row| {
+            let column = (0..3).find(|column| exchange[(row, *column)] != 0.0).unwrap_or(row);
+            let reversed = if exchange[(row, column)] < 0.0 { ", reversed" } else { "" };
+            format!("{} of the record is {} of the path{reversed}", AXES[row], AXES[column])
+        })
+        .collect();
+    words.join("; ")
+}
+
+/// The sections of a scene that has what was found; its vehicle has `axes`. What was not seen is a comment.
+pub fn sections(found: &Identified, axes: BodyAxes) -> String {
+    let mut text = match axes {
+        BodyAxes::ForwardRightDown => "\n[options]\naxes = \"frd\"\n".to_owned(),
+        BodyAxes::RightForwardUp => String::new(),
+    };
+    text += &mounting(found, axes);
+    for sheet in sheets(found) {
+        text += &section(&sheet);
+    }
+    text
+}
+
+/// The attitude of the block in the vehicle.
+fn mounting(found: &Identified, of_vehicle: BodyAxes) -> String {
+    let words = axes(&found.axes.exchange, found.axes.is_seen);
+    let euler = found.boresight(of_vehicle);
+    if [euler.roll, euler.pitch, euler.heading].iter().all(|angle| angle.abs() < NO_TURN) {
+        return format!("\n# axes: {words}\n");
+    }
+    let angles = [euler.roll, euler.pitch, euler.heading].map(|angle| rounded(angle / DEG, 9));
+    format!("\n# axes: {words}\n[mounting]\nboresight_deg = [{}, {}, {}]\n", angles[0], angles[1], angles[2])
+}
+
+/// Values of the parameters that were seen on at least one axis, the standard deviations that are left, and comments about the others.
+fn section(Sheet { section, lines, noises, .. }: &Sheet) -> String {
+    let mut text = format!("\n[{section}]\n");
+    for of_key in lines.chunk_by(|a, b| a.key == b.key) {
+        let key = of_key[0].key;
+        let is_matrix = of_key.len() == 6;
+        let value =
+            |line: &Line, of: f64| if line.estimate.is_seen() { rounded(of / line.unit.si, 6) } else { 0.0 };
+        if of_key.iter().any(|line| line.estimate.is_seen()) {
+            let values = |of: &dyn Fn(&Line) -> f64| {
+                let numbers: Vec<f64> = of_key.iter().map(|line| value(line, of(line))).collect();
+                let numbers = if is_matrix { beside_diagonal(&numbers) } else { numbers };
+                numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+            };
+            let unit = unit(key);
+            let stem = key.strip_suffix(unit).unwrap_or(key);
+            text += &format!("{key} = [{}]\n", values(&|line| line.estimate.value));
+            text += &format!("{stem}_sigma{unit} = [{}]\n", values(&|line| line.estimate.sigma));
+        }
+        for line in of_key {
+            text += &format!("# {}: {}\n", line.name, seen(line));
+        }
+    }
+    for of_key in noises.chunk_by(|a, b| a.key == b.key) {
+        let value = |line: &NoiseLine| match line.estimate.is_seen() {
+            true => rounded(line.estimate.value / line.unit.si, 6),
+            false => 0.0,
+        };
+        if of_key.iter().any(|line| line.estimate.is_seen()) {
+            let values: Vec<String> = of_key.iter().map(|line| value(line).to_string()).collect();
+            text += &format!("{} = [{}]\n", of_key[0].key, values.join(", "));
+        }
+        for line in of_key {
+            text += &format!("# {}: {}\n", line.name, of_noise(line));
+        }
+    }
+    text
+}
+
+/// The unit at the end of a key.
+fn unit(key: &str) -> &'static str {
+    ["_deg_h", "_micro_g", "_ppm", "_arcsec"].into_iter().find(|unit| key.ends_with(unit)).unwrap_or("")
+}
+
+/// Nine elements of six beside the diagonal, row by row.
+fn beside_diagonal(six: &[f64]) -> Vec<f64> {
+    let mut rest = six.iter().copied();
+    (0..9).map(|k| if k % 4 == 0 { 0.0 } else { rest.next().unwrap_or(0.0) }).collect()
+}
