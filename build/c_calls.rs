@@ -69,8 +69,10 @@ const NUMBERS: [(&str, &str); 4] =
     [("grade", "SINS_GRADE_CONSUMER"), ("word", "0x600000cb"), ("radius_m", "1.0"), ("percent", "95.0")];
 
 /// Pointers that may be null, of all functions or of one.
-const MAY_BE_NULL: [(&str, &[&str]); 16] = [
+const MAY_BE_NULL: [(&str, &[&str]); 18] = [
     ("", &["written", "needed"]),
+    ("sins_identify_create", &["options", "request"]),
+    ("sins_identify_solve", &["identified"]),
     ("sins_create", &["options"]),
     ("sins_unit_create", &["params"]),
     ("sins_judge_create", &["options"]),

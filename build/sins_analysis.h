@@ -1,6 +1,6 @@
 /*
- * sins_analysis.h - questions about a flight: which options it needs, and which effects of the sensors matter. The conventions are
- * those of sins.h.
+ * sins_analysis.h - questions about a flight: which options it needs, which effects of the sensors matter, and which errors
+ * real sensors have. The conventions are those of sins.h.
  *
  * build/ writes this file; do not edit it.
  */
@@ -17,6 +17,10 @@ extern "C" {
 /* Which options, which effects matter. */
 
 @recommend budget_answer budget
+
+/* The errors of real sensors. */
+
+@identify
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_analysis_sizeof {

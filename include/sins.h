@@ -44,17 +44,17 @@
  *   Latitude is geodetic, height is above the ellipsoid.
  * Errors: a status below 0. The call has then changed nothing; the exceptions are under "Statuses".
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other. A call takes less than 48 KB of
- *   stack. docs/threads.md: nested calls, signal handlers, cancellation, abandoned calls, fork().
+ *   stack, sins_identify_solve() less than 256 KB. docs/threads.md: nested calls, signal handlers, cancellation, abandoned calls, fork().
  * Unloading. Destroy every handle first, and let every call return. docs/threads.md: what a DLL leaves behind.
  * Real time. Push, step, reads and setters make no allocation and no system call. docs/threads.md has the list.
  * Host time. The time comes from the samples. docs/host_time.md: pauses, slews, gaps, faster than real time.
  * Same bits. The same options, seed, samples and settings give the same outputs bit for bit on every platform, however the
  *   samples are split into calls (times excepted, as ns_per_step of sins_cost). Each random effect has its own stream.
  *
- * Beside it: sins_flight.h, embedded flights, and a judge of samples; sins_analysis.h, which options a flight needs, and which effects
- * matter; sins_unit.h, the unit with its modes; sins_ensemble.h, ensembles of runs; sins_scene.h, scenes and flight logs; sins.hpp and
- * its kin, classes for C++; sins_functions.h, a table of all functions for hosts that look them up. build/ writes the *.h files; do not
- * edit them.
+ * Beside it: sins_flight.h, embedded flights, and a judge of samples; sins_analysis.h, which options a flight needs, which effects
+ * matter, and which errors real sensors have; sins_unit.h, the unit with its modes; sins_ensemble.h, ensembles of runs; sins_scene.h,
+ * scenes and flight logs; sins.hpp and its kin, classes for C++; sins_functions.h, a table of all functions for hosts that look them up.
+ * build/ writes the *.h files; do not edit them.
  */
 
 #ifndef SINS_H
@@ -139,9 +139,10 @@ SINS_API const char *SINS_CALL sins_version_string(void);
  * returns its value directly. Test for errors by status < 0. After an error nothing has changed: no state, no output, and no
  * random number was drawn. Exceptions: after SINS_ERROR_INTERNAL the handle cannot be used any more. sins_run() and
  * sins_ensemble_run() keep the intervals that they flew before the error; sins_run() also keeps their records, and sets
- * written. If a buffer is too small, functions that write a text cut it and report the size that is needed;
- * sins_error_budget() and sins_scene_get_manoeuvres() report the number of elements that is needed. sins_log_parse(),
- * sins_scene_set_values() and sins_scene_set_items() report faults.
+ * written. sins_identify_push_samples() and sins_identify_push_increments() keep what they took before the error. If a buffer is
+ * too small, functions that write a text cut it and report the size that is needed; sins_error_budget() and
+ * sins_scene_get_manoeuvres() report the number of elements that is needed. sins_log_parse(), sins_scene_set_values() and
+ * sins_scene_set_items() report faults.
  *
  * A positive status is not an error. With SINS_NEED_SAMPLE the output is unchanged. With SINS_REQUIREMENT_NOT_MET the output is
  * written. With SINS_SCENE_HAS_FAULTS a handle was made. With SINS_GAP the call did everything.

@@ -1,6 +1,6 @@
 /*
- * sins_analysis.h - questions about a flight: which options it needs, and which effects of the sensors matter. The conventions are
- * those of sins.h.
+ * sins_analysis.h - questions about a flight: which options it needs, which effects of the sensors matter, and which errors
+ * real sensors have. The conventions are those of sins.h.
  *
  * build/ writes this file; do not edit it.
  */
@@ -266,13 +266,226 @@ SINS_API sins_status SINS_CALL sins_error_budget(const sins_sim *configured, con
     size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written,
     sins_budget *budget);
 
+/* The errors of real sensors. */
+
+/** Number of parameters. */
+#define SINS_IDENTIFIED_PARAMETERS 47
+
+/** Flags of a sins_identify_request. */
+typedef enum sins_identify_flags {
+    /** The field shift_s holds the shift of the clock. */
+    SINS_IDENTIFY_SHIFT = 1
+} sins_identify_flags;
+
+/** Flags of a sins_identified and of a sins_identified_parameter. */
+typedef enum sins_identified_flags {
+    /** The record shows it. Of the axes: the motion excludes all others. Of a parameter: the record narrows its prior to less than a half. */
+    SINS_IDENTIFIED_SEEN = 1
+} sins_identified_flags;
+
+/**
+ * The errors of real sensors: a path and a record of the same motion, and what was found in them. A handle is a checked key, like
+ * that of a sins_sim, and is never confused with one. sins_last_error(NULL, ...) on the same thread gives the failures of its functions.
+ */
+typedef struct sins_identify sins_identify;
+
+/** What is known of sensors before their record. All zero is nothing: the widest prior, clock and axes are found. */
+typedef struct sins_identify_request {
+    /** sizeof(sins_identify_request) */
+    uint32_t struct_size;
+    /** Flags of enum sins_identify_flags, or'ed. */
+    uint32_t flags;
+    /** Grade of the sensors, of enum sins_grade; 0: SINS_GRADE_CONSUMER, the widest. A grade that is too good moves the estimates. */
+    int32_t prior;
+    /** Axes of the vehicle along x, y and z of the record: 1, 2 or 3 for x, y or z, negative if reversed; all 0: they are found. */
+    int32_t axes[3];
+    /** With SINS_IDENTIFY_SHIFT: time of the path less time of the record, known to 10 s, -1e12 to 1e12 [s]. */
+    double shift_s;
+} sins_identify_request;
+
+/** An increment that real sensors measured. */
+typedef struct sins_recorded_increment {
+    /** sizeof(sins_recorded_increment) */
+    uint32_t struct_size;
+    /** Must be 0. */
+    uint32_t reserved;
+    /** End of the interval on the clock of the record, later than that of the increment before, -1e12 to 1e12 [s]. */
+    double time_s;
+    /** Length of the interval, 1e-6 to 60 [s]. */
+    double interval_s;
+    /** Integral of the measured angular rate over the interval, along x, y, z of the record [rad]. */
+    double angle_rad[3];
+    /** Integral of the measured specific force over the interval, likewise [m/s]. */
+    double velocity_m_s[3];
+} sins_recorded_increment;
+
+/** What was found, as a whole. */
+typedef struct sins_identified {
+    /** sizeof(sins_identified) */
+    uint32_t struct_size;
+    /** Of the axes: flags of enum sins_identified_flags, or'ed. */
+    uint32_t flags;
+    /** Number of increments of the record. */
+    uint64_t increments;
+    /** Time of the record that was compared with the path [s]. */
+    double used_s;
+    /** Time on the clock of the record at which the parameter "clock shift" holds [s]. */
+    double middle_s;
+    /** Signals of the record are this matrix times the signals of the vehicle, row by row. */
+    double rotation[9];
+    /** Attitude of the sensor block in the vehicle, as sins_mounting_params.boresight_rad [rad]. */
+    double boresight_rad[3];
+} sins_identified;
+
+/** A parameter that a record may show. */
+typedef struct sins_identified_parameter {
+    /** sizeof(sins_identified_parameter) */
+    uint32_t struct_size;
+    /** Flags of enum sins_identified_flags, or'ed. */
+    uint32_t flags;
+    /** Its name, such as "gyro bias x", terminated. */
+    char name[48];
+    /** SI unit of its figures, such as "rad/s", "1" for a ratio, terminated. */
+    char unit[16];
+    /** Mean [unit]. */
+    double value;
+    /** Lower end of its 95 % interval [unit]. */
+    double low;
+    /** Upper end of its 95 % interval [unit]. */
+    double high;
+    /** Standard deviation [unit]; 0 of noise, whose distribution is not normal. */
+    double sigma;
+    /** Standard deviation before the record [unit]; 0 of noise. */
+    double prior;
+    /** Without SINS_IDENTIFIED_SEEN: why the record does not show it, and what motion would, UTF-8, terminated. Otherwise empty. */
+    char reason[192];
+} sins_identified_parameter;
+
+/**
+ * Creates an empty path and an empty record. Then push the samples of the path and the increments of the record, in any order, and
+ * solve. docs/identify.md says what is found, and what a record can show. Of the options, the Earth, gravity, axes and the checks of
+ * samples count. In the example a simulator stands for the real sensors. NULL for options: the defaults; NULL for request: nothing is known.
+ *
+ * Not for a real-time frame: it allocates. On an error *identify is unchanged, and sins_last_error(NULL, ...) on this thread gives the
+ * reason.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range; or axes of request that are not x, y and z once each, or left-handed.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory, or 4096 of these handles exist.
+ *
+ * ```c
+ * int row, axis;
+ * sins_identify *identify = NULL;
+ * sins_identified_parameter parameter;
+ * sins_recorded_increment increment;
+ * sins_imu measured;
+ * sins_sim *real = NULL;
+ * SINS_INIT(increment);
+ * SINS_INIT(measured);
+ * SINS_INIT(parameter);
+ * SINS_INIT(sample);
+ * for (axis = 0; axis < 3; ++axis) {
+ *     gyro.random_walk_rad_sqrt_s[axis] = 0.001 * SINS_DEG_PER_SQRT_HOUR;
+ *     accel.velocity_random_walk_m_s_sqrt_s[axis] = 10.0 * SINS_MICRO_G_PER_SQRT_HZ;
+ * }
+ * gyro.bias_rad_s[0] = 20.0 * SINS_DEG_PER_HOUR;
+ * sins_create(NULL, &real);
+ * sins_set_gyro(real, &gyro);
+ * sins_set_accel(real, &accel);
+ * sins_identify_create(NULL, NULL, &identify);
+ * for (row = 0; row < 2000; ++row) {
+ *     sample.time_s = 0.1 * row;
+ *     sins_identify_push_samples(identify, &sample, 1);
+ *     sins_push_sample(real, &sample);
+ *     if (sins_step(real) == SINS_OK && sins_get_imu(real, &measured) == SINS_OK) {
+ *         increment.time_s = measured.time_s;
+ *         increment.interval_s = measured.interval_s;
+ *         memcpy(increment.angle_rad, measured.measured_angle_rad, sizeof increment.angle_rad);
+ *         memcpy(increment.velocity_m_s, measured.measured_velocity_m_s, sizeof increment.velocity_m_s);
+ *         sins_identify_push_increments(identify, &increment, 1);
+ *     }
+ * }
+ * sins_identify_solve(identify, NULL);
+ * sins_identify_get_parameter(identify, 5, &parameter);
+ * printf("%s: %.1f deg/h\n", parameter.name, parameter.value / SINS_DEG_PER_HOUR);  // gyro bias x: 20.0 deg/h
+ * sins_identify_destroy(identify);
+ * sins_destroy(real);
+ * ```
+ */
+SINS_API sins_status SINS_CALL sins_identify_create(const sins_options *options,
+    const sins_identify_request *request, sins_identify **identify);
+
+/**
+ * Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
+ * samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample. Not for a
+ * real-time frame: it allocates.
+ *
+ * SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
+ * caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.
+ * SINS_ERROR_INVALID_ARGUMENT: also a sample too many. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ */
+SINS_API sins_status SINS_CALL sins_identify_push_samples(sins_identify *identify, const sins_flight_sample *samples,
+    size_t count);
+
+/**
+ * Adds the next increments of the record, at most 100000000 in all, each of 64 bytes. increments[0].struct_size is the size in bytes of
+ * each element of increments; struct_size of the other increments may be 0. A gap between increments is permitted. Not for a
+ * real-time frame: it allocates.
+ *
+ * An error ends the call at the increment that caused it; sins_last_error(NULL, ...) names its index. The increments before it were taken.
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, a signal above 1e6 rad/s or 1e6 m/s2, or an increment too many.
+ * SINS_ERROR_TIME_ORDER: an increment that is not later than the one before. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ */
+SINS_API sins_status SINS_CALL sins_identify_push_increments(sins_identify *identify,
+    const sins_recorded_increment *increments, size_t count);
+
+/**
+ * Finds the errors of the sensors in all samples and increments so far. More may be pushed afterwards, and solved again; what was found
+ * stays until then. identified may be NULL. An hour takes about a second. Not for a real-time frame; the call takes up to 256 KB of stack.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the record does not fit the path: it is of another motion or in other units, too short, has a sensor that
+ * is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, and gives the figure.
+ * SINS_ERROR_BAD_STATE: the path has less than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ */
+SINS_API sins_status SINS_CALL sins_identify_solve(sins_identify *identify, sins_identified *identified);
+
+/**
+ * Reads a parameter that sins_identify_solve() found. index is from 0 to SINS_IDENTIFIED_PARAMETERS - 1: shift and drift of the clock;
+ * mounting x, y, z; then of the gyros: bias x, y, z, scale factor x, y, z, misalignments xy, xz, yx, yz, zx, zy, white noise x, y, z,
+ * flicker x, y, z, random walk x, y, z; then the same of the accelerometers. Misalignment xy is the error of sensor x by a
+ * signal along y. Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such parameter. SINS_ERROR_BAD_STATE: nothing was found yet. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ */
+SINS_API sins_status SINS_CALL sins_identify_get_parameter(const sins_identify *identify, size_t index,
+    sins_identified_parameter *parameter);
+
+/**
+ * Writes what was found as a scene, whose sensors have it; sins_scene_parse() reads it. Its vehicle is at rest: set a flight. What the
+ * record does not show is a comment. buffer, capacity and needed as in sins_last_error(). Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_BAD_STATE: nothing was found yet. SINS_ERROR_BUFFER_TOO_SMALL: the text was cut. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ */
+SINS_API sins_status SINS_CALL sins_identify_get_scene(const sins_identify *identify, char *buffer, size_t capacity,
+    size_t *needed);
+
+/**
+ * Destroys a path, its record and what was found.
+ *
+ * SINS_ERROR_BAD_HANDLE: null, made up, or destroyed before.
+ */
+SINS_API sins_status SINS_CALL sins_identify_destroy(sins_identify *identify);
+
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_analysis_sizeof {
     SINS_SIZEOF_REQUIREMENT = 48,
     SINS_SIZEOF_COST = 144,
     SINS_SIZEOF_BUDGET_REQUEST = 40,
     SINS_SIZEOF_BUDGET_ROW = 152,
-    SINS_SIZEOF_BUDGET = 128
+    SINS_SIZEOF_BUDGET = 128,
+    SINS_SIZEOF_IDENTIFY_REQUEST = 32,
+    SINS_SIZEOF_RECORDED_INCREMENT = 72,
+    SINS_SIZEOF_IDENTIFIED = 128,
+    SINS_SIZEOF_IDENTIFIED_PARAMETER = 304
 };
 
 #ifdef __cplusplus

@@ -1,12 +1,50 @@
-/* sins.hpp for sins_analysis.h: which options a flight needs, and which effects matter. */
+/* sins.hpp for sins_analysis.h: which options a flight needs, which effects matter, and which errors real sensors have. */
 
 #ifndef SINS_ANALYSIS_HPP
 #define SINS_ANALYSIS_HPP
 
 #include "sins.hpp"
 #include "sins_analysis.h"
+#include "sins_handle.hpp"
 
 namespace sins {
+
+namespace detail {
+template <> struct Destroyer<sins_identify> {
+    static void destroy(sins_identify *identify) noexcept { sins_identify_destroy(identify); }
+};
+} // namespace detail
+
+/*
+ * The errors of real sensors, from a record and the true path of the same motion. It can be moved, but not copied; a call on a
+ * moved-from object throws SINS_ERROR_BAD_HANDLE.
+ */
+class Identification : public detail::Owner<sins_identify> {
+public:
+    Identification() : Owner(detail::given<sins_identify *>(nullptr, sins_identify_create, nullptr, nullptr)) {}
+
+    Identification(const sins_options &options, const sins_identify_request &request)
+        : Owner(detail::given<sins_identify *>(nullptr, sins_identify_create, &options, &request)) {}
+
+    /* False: a sample ended a gap. */
+    bool push(const sins_flight_sample *samples, std::size_t count) {
+        return detail::done(sins_identify_push_samples(handle_, samples, count), nullptr);
+    }
+
+    void push(const sins_recorded_increment *increments, std::size_t count) {
+        detail::done(sins_identify_push_increments(handle_, increments, count), nullptr);
+    }
+
+    sins_identified solve() { return detail::filled<sins_identified>(nullptr, sins_identify_solve, handle_); }
+
+    /* All that was found. */
+    std::vector<sins_identified_parameter> parameters() const {
+        return detail::all(make<sins_identified_parameter>(), sins_identify_get_parameter, handle_);
+    }
+
+    /* A scene whose sensors have what was found. */
+    std::string scene() const { return detail::text(sins_identify_get_scene, handle_); }
+};
 
 /*
  * Recommends options for a simulator that is configured as sim. options and cost need struct_size. False: no options meet the

@@ -75,6 +75,13 @@
     X(sins_status, sins_judge_destroy, (sins_judge *judge)) \
     X(sins_status, sins_recommend, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost)) \
     X(sins_status, sins_error_budget, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written, sins_budget *budget)) \
+    X(sins_status, sins_identify_create, (const sins_options *options, const sins_identify_request *request, sins_identify **identify)) \
+    X(sins_status, sins_identify_push_samples, (sins_identify *identify, const sins_flight_sample *samples, size_t count)) \
+    X(sins_status, sins_identify_push_increments, (sins_identify *identify, const sins_recorded_increment *increments, size_t count)) \
+    X(sins_status, sins_identify_solve, (sins_identify *identify, sins_identified *identified)) \
+    X(sins_status, sins_identify_get_parameter, (const sins_identify *identify, size_t index, sins_identified_parameter *parameter)) \
+    X(sins_status, sins_identify_get_scene, (const sins_identify *identify, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_identify_destroy, (sins_identify *identify)) \
     X(sins_status, sins_unit_create, (const sins_unit_params *params, int32_t mode, sins_unit **unit)) \
     X(sins_status, sins_unit_destroy, (sins_unit *unit)) \
     X(sins_status, sins_unit_set_params, (sins_unit *unit, const sins_unit_params *params)) \

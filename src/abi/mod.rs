@@ -33,6 +33,7 @@ mod failure;
 #[cfg(sins_fault_injection)]
 mod fault;
 mod flight;
+mod identify;
 mod imu;
 mod judge;
 mod last_error;
@@ -76,6 +77,7 @@ pub use failure::*;
 #[cfg(sins_fault_injection)]
 pub use fault::sins_inject_panic;
 pub use flight::*;
+pub use identify::*;
 pub use imu::*;
 pub use judge::*;
 pub use last_error::*;

@@ -18,7 +18,12 @@ pub(crate) fn filled<T: Clone>(count: usize, value: T) -> Result<Box<[T]>, Error
 
 /// Makes room for one more element, in steps that grow with the vector.
 pub(crate) fn room_for_one_more<T>(vector: &mut Vec<T>) -> Result<(), Error> {
-    vector.try_reserve(1).map_err(|_| missing::<T>(vector.len() + 1))
+    room_for_more(vector, 1)
+}
+
+/// Makes room for `count` more elements, likewise.
+pub(crate) fn room_for_more<T>(vector: &mut Vec<T>, count: usize) -> Result<(), Error> {
+    vector.try_reserve(count).map_err(|_| missing::<T>(vector.len() + count))
 }
 
 /// Checks that `bytes` bytes of memory are available now. For code that cannot report a lack of memory, such as parsers of other

@@ -166,6 +166,31 @@ static inline void every_judge_call(sins_judge *judge, every_call_answer *answer
     EVERY_CALL(sins_judge_push_log(judge, NULL));
 }
 
+/* All functions of a sins_identify, except those that destroy it and that read its last failure. */
+static inline void every_identify_call(sins_identify *identify, every_call_answer *answer, void *context)
+{
+    EVERY_CALL_STORAGE sins_flight_sample flight_sample[2];
+    EVERY_CALL_STORAGE sins_recorded_increment recorded_increment[2];
+    EVERY_CALL_STORAGE sins_identified identified[2];
+    EVERY_CALL_STORAGE sins_identified_parameter identified_parameter[2];
+    EVERY_CALL_STORAGE unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
+    size_t size = 0;
+    SINS_INIT(flight_sample[0]);
+    SINS_INIT(flight_sample[1]);
+    flight_sample[1].time_s = 0.01;
+    SINS_INIT(recorded_increment[0]);
+    SINS_INIT(recorded_increment[1]);
+    SINS_INIT(identified[0]);
+    SINS_INIT(identified[1]);
+    SINS_INIT(identified_parameter[0]);
+    SINS_INIT(identified_parameter[1]);
+    EVERY_CALL(sins_identify_get_parameter(identify, 0, identified_parameter));
+    EVERY_CALL(sins_identify_get_scene(identify, (char *)bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_identify_push_samples(identify, flight_sample, 2));
+    EVERY_CALL(sins_identify_push_increments(identify, recorded_increment, 2));
+    EVERY_CALL(sins_identify_solve(identify, identified));
+}
+
 /* All functions of a sins_unit, except those that destroy it and that read its last failure. */
 static inline void every_unit_call(sins_unit *unit, sins_sim *sim, every_call_answer *answer, void *context)
 {
@@ -391,6 +416,7 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
     EVERY_CALL_STORAGE sins_budget_request budget_request[2];
     EVERY_CALL_STORAGE sins_budget_row budget_row[2];
     EVERY_CALL_STORAGE sins_budget budget[2];
+    EVERY_CALL_STORAGE sins_identify_request identify_request[2];
     EVERY_CALL_STORAGE sins_unit_params unit_params[2];
     EVERY_CALL_STORAGE sins_unit_status unit_status[2];
     EVERY_CALL_STORAGE sins_unit_navigation unit_navigation[2];
@@ -405,6 +431,7 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
     sins_sim *made_sim = NULL;
     sins_flight *made_flight = NULL;
     sins_judge *made_judge = NULL;
+    sins_identify *made_identify = NULL;
     sins_unit *made_unit = NULL;
     sins_ensemble *made_ensemble = NULL;
     sins_scene *made_scene = NULL;
@@ -450,6 +477,8 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
     SINS_INIT(budget_row[1]);
     SINS_INIT(budget[0]);
     SINS_INIT(budget[1]);
+    SINS_INIT(identify_request[0]);
+    SINS_INIT(identify_request[1]);
     SINS_INIT(unit_params[0]);
     SINS_INIT(unit_params[1]);
     SINS_INIT(unit_status[0]);
@@ -484,6 +513,8 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
     CHECK(made_judge == NULL || sins_judge_destroy(made_judge) == SINS_OK);
     EVERY_CALL(sins_recommend(sim, flight_sample, 2, requirement, options, cost));
     EVERY_CALL(sins_error_budget(sim, flight_sample, 2, budget_request, budget_row, 2, &size, budget));
+    EVERY_CALL(sins_identify_create(options, identify_request, &made_identify));
+    CHECK(made_identify == NULL || sins_identify_destroy(made_identify) == SINS_OK);
     EVERY_CALL(sins_unit_create(unit_params, 0, &made_unit));
     CHECK(made_unit == NULL || sins_unit_destroy(made_unit) == SINS_OK);
     EVERY_CALL(sins_bus_words(unit_status, unit_navigation, bus_inputs, 0.0, 0.0, bus_word, 2, &size));
@@ -511,7 +542,7 @@ static inline void every_other_call(sins_sim *sim, sins_scene *scene, every_call
 }
 
 /* Every function with null for each pointer that may not be null. */
-static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *judge, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play, every_call_answer *answer, void *context)
+static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *judge, sins_identify *identify, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play, every_call_answer *answer, void *context)
 {
     EVERY_CALL_STORAGE sins_options options[2];
     EVERY_CALL_STORAGE sins_flight_sample flight_sample[2];
@@ -527,6 +558,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL_STORAGE sins_budget_request budget_request[2];
     EVERY_CALL_STORAGE sins_budget_row budget_row[2];
     EVERY_CALL_STORAGE sins_budget budget[2];
+    EVERY_CALL_STORAGE sins_identify_request identify_request[2];
     EVERY_CALL_STORAGE sins_unit_params unit_params[2];
     EVERY_CALL_STORAGE sins_unit_status unit_status[2];
     EVERY_CALL_STORAGE sins_unit_navigation unit_navigation[2];
@@ -576,6 +608,8 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     SINS_INIT(budget_row[1]);
     SINS_INIT(budget[0]);
     SINS_INIT(budget[1]);
+    SINS_INIT(identify_request[0]);
+    SINS_INIT(identify_request[1]);
     SINS_INIT(unit_params[0]);
     SINS_INIT(unit_params[1]);
     SINS_INIT(unit_status[0]);
@@ -650,6 +684,11 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL(sins_recommend(sim, flight_sample, 2, requirement, options, NULL));
     EVERY_CALL(sins_error_budget(sim, NULL, 2, budget_request, budget_row, 2, &size, budget));
     EVERY_CALL(sins_error_budget(sim, flight_sample, 2, budget_request, NULL, 2, &size, budget));
+    EVERY_CALL(sins_identify_create(options, identify_request, NULL));
+    EVERY_CALL(sins_identify_push_samples(identify, NULL, 2));
+    EVERY_CALL(sins_identify_push_increments(identify, NULL, 2));
+    EVERY_CALL(sins_identify_get_parameter(identify, 0, NULL));
+    EVERY_CALL(sins_identify_get_scene(identify, NULL, sizeof bytes, &size));
     EVERY_CALL(sins_unit_create(unit_params, 0, NULL));
     EVERY_CALL(sins_unit_set_params(unit, NULL));
     EVERY_CALL(sins_unit_get_params(unit, NULL));

@@ -9,7 +9,7 @@
 #include "every_call.h"
 
 /* First the structs that functions write: the calls behind them change what the handles stand for. */
-static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *judge, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play)
+static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *judge, sins_identify *identify, sins_unit *unit, sins_ensemble *ensemble, sins_scene *scene, sins_log *log, sins_play *play)
 {
     EVERY_CALL_STORAGE sins_options options[2];
     EVERY_CALL_STORAGE sins_flight_sample flight_sample[2];
@@ -23,6 +23,7 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     EVERY_CALL_STORAGE sins_budget_request budget_request[2];
     EVERY_CALL_STORAGE sins_budget_row budget_row[2];
     EVERY_CALL_STORAGE sins_budget budget[2];
+    EVERY_CALL_STORAGE sins_identify_request identify_request[2];
     EVERY_CALL_STORAGE sins_unit_status unit_status[2];
     EVERY_CALL_STORAGE sins_unit_navigation unit_navigation[2];
     EVERY_CALL_STORAGE sins_bus_inputs bus_inputs[2];
@@ -33,6 +34,7 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     sins_sim *made_sim = NULL;
     sins_flight *made_flight = NULL;
     sins_judge *made_judge = NULL;
+    sins_identify *made_identify = NULL;
     sins_unit *made_unit = NULL;
     EVERY_CALL_STORAGE unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
     size_t size = 0;
@@ -67,6 +69,8 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     SINS_INIT(budget_row[1]);
     SINS_INIT(budget[0]);
     SINS_INIT(budget[1]);
+    SINS_INIT(identify_request[0]);
+    SINS_INIT(identify_request[1]);
     SINS_INIT(unit_status[0]);
     SINS_INIT(unit_status[1]);
     SINS_INIT(unit_navigation[0]);
@@ -109,6 +113,8 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     OUTPUT_SIZES(sins_options, sins_recommend(NULL, flight_sample, 2, requirement, pointer, cost));
     OUTPUT_SIZES(sins_cost, sins_recommend(NULL, flight_sample, 2, requirement, options, pointer));
     OUTPUT_SIZES(sins_budget, sins_error_budget(NULL, flight_sample, 2, budget_request, budget_row, 2, &size, pointer));
+    OUTPUT_SIZES(sins_identified, sins_identify_solve(identify, pointer));
+    OUTPUT_SIZES(sins_identified_parameter, sins_identify_get_parameter(identify, 0, pointer));
     OUTPUT_SIZES(sins_unit_params, sins_unit_get_params(unit, pointer));
     OUTPUT_SIZES(sins_unit_status, sins_unit_get_status(unit, pointer));
     OUTPUT_SIZES(sins_unit_navigation, sins_unit_get_navigation(unit, sim, pointer));
@@ -157,6 +163,10 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     INPUT_SIZES(sins_flight_sample, sins_judge_push(judge, pointer));
     INPUT_SIZES(sins_requirement, sins_recommend(NULL, flight_sample, 2, pointer, options, cost));
     INPUT_SIZES(sins_budget_request, sins_error_budget(NULL, flight_sample, 2, pointer, budget_row, 2, &size, budget));
+    INPUT_SIZES(sins_options, ENDED(made_identify, sins_identify_destroy, sins_identify_create(pointer, identify_request, &made_identify)));
+    INPUT_SIZES(sins_identify_request, ENDED(made_identify, sins_identify_destroy, sins_identify_create(options, pointer, &made_identify)));
+    INPUT_SIZES(sins_flight_sample, sins_identify_push_samples(identify, pointer, 1));
+    INPUT_SIZES(sins_recorded_increment, sins_identify_push_increments(identify, pointer, 1));
     INPUT_SIZES(sins_unit_params, ENDED(made_unit, sins_unit_destroy, sins_unit_create(pointer, 0, &made_unit)));
     INPUT_SIZES(sins_unit_params, sins_unit_set_params(unit, pointer));
     INPUT_SIZES(sins_unit_fix, sins_unit_push_fix(unit, sim, pointer));

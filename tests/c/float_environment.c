@@ -126,6 +126,8 @@ typedef struct {
     sins_options options, recommended;
     sins_cost cost;
     sins_budget budget;
+    sins_identified identified;
+    sins_identified_parameter parameter;
     sins_budget_row rows[SCENE_BUDGET_ROWS];
     sins_gyro_params gyro;
     sins_accel_params accel;
@@ -269,6 +271,7 @@ static void fly(const float_state *state, results *found)
     float_state normal = get_state(), before, after;
     sins_flight *flight;
     sins_judge *judge;
+    sins_identify *identify;
     sins_sim *sim, *other;
     int k;
 
@@ -290,6 +293,8 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->options);
     SINS_INIT(found->recommended);
     SINS_INIT(found->cost);
+    SINS_INIT(found->identified);
+    SINS_INIT(found->parameter);
     SINS_INIT(found->gyro);
     SINS_INIT(found->accel);
     SINS_INIT(found->initial);
@@ -348,6 +353,11 @@ static void fly(const float_state *state, results *found)
     judge = scene_judge();
     every_judge_call(judge, ignore, NULL);
     CHECK(sins_judge_destroy(judge) == SINS_OK);
+    identify = scene_identify();
+    CHECK(sins_identify_get_parameter(identify, 5, &found->parameter) == SINS_OK);
+    CHECK(sins_identify_solve(identify, &found->identified) == SINS_OK);
+    every_identify_call(identify, ignore, NULL);
+    CHECK(sins_identify_destroy(identify) == SINS_OK);
     fly_scene(found);
     fly_ensemble(found);
     fly_unit(found);

@@ -470,6 +470,42 @@ AT(sins_budget, left_out_velocity_m_s, 104);
 AT(sins_budget, left_out_attitude_rad, 112);
 AT(sins_budget, ns_per_step, 120);
 
+SIZE(sins_identify_request, SINS_SIZEOF_IDENTIFY_REQUEST, 32);
+AT(sins_identify_request, struct_size, 0);
+AT(sins_identify_request, flags, 4);
+AT(sins_identify_request, prior, 8);
+AT(sins_identify_request, axes, 12);
+AT(sins_identify_request, shift_s, 24);
+
+SIZE(sins_recorded_increment, SINS_SIZEOF_RECORDED_INCREMENT, 72);
+AT(sins_recorded_increment, struct_size, 0);
+AT(sins_recorded_increment, reserved, 4);
+AT(sins_recorded_increment, time_s, 8);
+AT(sins_recorded_increment, interval_s, 16);
+AT(sins_recorded_increment, angle_rad, 24);
+AT(sins_recorded_increment, velocity_m_s, 48);
+
+SIZE(sins_identified, SINS_SIZEOF_IDENTIFIED, 128);
+AT(sins_identified, struct_size, 0);
+AT(sins_identified, flags, 4);
+AT(sins_identified, increments, 8);
+AT(sins_identified, used_s, 16);
+AT(sins_identified, middle_s, 24);
+AT(sins_identified, rotation, 32);
+AT(sins_identified, boresight_rad, 104);
+
+SIZE(sins_identified_parameter, SINS_SIZEOF_IDENTIFIED_PARAMETER, 304);
+AT(sins_identified_parameter, struct_size, 0);
+AT(sins_identified_parameter, flags, 4);
+AT(sins_identified_parameter, name, 8);
+AT(sins_identified_parameter, unit, 56);
+AT(sins_identified_parameter, value, 72);
+AT(sins_identified_parameter, low, 80);
+AT(sins_identified_parameter, high, 88);
+AT(sins_identified_parameter, sigma, 96);
+AT(sins_identified_parameter, prior, 104);
+AT(sins_identified_parameter, reason, 112);
+
 SIZE(sins_unit_params, SINS_SIZEOF_UNIT_PARAMS, 200);
 AT(sins_unit_params, struct_size, 0);
 AT(sins_unit_params, reserved, 4);

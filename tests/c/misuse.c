@@ -18,6 +18,7 @@ static sins_ensemble *wrong_ensembles[WRONG_HANDLES];
 static sins_unit *wrong_units[WRONG_HANDLES];
 static sins_play *wrong_plays[WRONG_HANDLES];
 static sins_judge *wrong_judges[WRONG_HANDLES];
+static sins_identify *wrong_identifies[WRONG_HANDLES];
 
 static sins_flight *make_flight(void)
 {
@@ -62,6 +63,10 @@ static void make_wrong_handles(sins_sim *sim, sins_flight *flight)
     wrong_judges[STALE] = scene_judge();
     wrong_judges[MADE_UP] = (sins_judge *)(uintptr_t)0xfffffff8;
     wrong_judges[OTHER_KIND] = (sins_judge *)(void *)flight;
+    wrong_identifies[STALE] = scene_identify();
+    wrong_identifies[MADE_UP] = (sins_identify *)(uintptr_t)0xfffffff9;
+    wrong_identifies[OTHER_KIND] = (sins_identify *)(void *)sim;
+    CHECK(sins_identify_destroy(wrong_identifies[STALE]) == SINS_OK);
     CHECK(sins_judge_destroy(wrong_judges[STALE]) == SINS_OK);
     CHECK(sins_play_destroy(wrong_plays[STALE]) == SINS_OK);
     CHECK(sins_unit_destroy(wrong_units[STALE]) == SINS_OK);
@@ -134,6 +139,8 @@ static void handles(sins_sim *living)
         every_unit_call(wrong_units[i], living, is_refused, NULL);
         every_play_call(wrong_plays[i], scene, is_refused, NULL);
         every_judge_call(wrong_judges[i], is_refused, NULL);
+        every_identify_call(wrong_identifies[i], is_refused, NULL);
+        is_refused("sins_identify_destroy", sins_identify_destroy(wrong_identifies[i]), NULL);
         is_refused("sins_judge_destroy", sins_judge_destroy(wrong_judges[i]), NULL);
         is_refused("sins_play_destroy", sins_play_destroy(wrong_plays[i]), NULL);
         is_refused("sins_unit_update", sins_unit_update(unit, sim), NULL);
@@ -200,16 +207,18 @@ static void null_pointers(sins_sim *sim, sins_flight *flight)
     sins_unit *unit = scene_unit();
     sins_play *play = scene_play();
     sins_judge *judge = scene_judge();
+    sins_identify *identify = scene_identify();
     sins_record record = {.struct_size = sizeof record};
     char text[16];
     plant(sim);
     /* Null only with a count of 0. */
     is_null_pointer("sins_record_line", sins_record_line(&record, NULL, 6, NULL, text, sizeof text, NULL), sim);
-    null_calls(sim, flight, judge, unit, ensemble, scene, log, play, is_null_pointer, sim);
+    null_calls(sim, flight, judge, identify, unit, ensemble, scene, log, play, is_null_pointer, sim);
     CHECK(sins_last_error(sim, NULL, 0, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_last_error_info(sim, NULL) == SINS_ERROR_NULL_POINTER);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK);
     CHECK(sins_play_destroy(play) == SINS_OK && sins_judge_destroy(judge) == SINS_OK);
+    CHECK(sins_identify_destroy(identify) == SINS_OK);
     CHECK(sins_ensemble_destroy(ensemble) == SINS_OK && sins_unit_destroy(unit) == SINS_OK);
 }
 

@@ -179,6 +179,52 @@ static inline sins_judge *scene_judge(void)
     return judge;
 }
 
+/* What the sensors of a simulator measured in its last interval, on a clock that is behind. */
+static inline sins_recorded_increment scene_increment(sins_sim *sim, double behind_s)
+{
+    sins_recorded_increment increment = {.struct_size = sizeof increment};
+    sins_imu imu = {.struct_size = sizeof imu};
+    int k;
+    CHECK(sins_get_imu(sim, &imu) == SINS_OK);
+    increment.time_s = imu.time_s - behind_s;
+    increment.interval_s = imu.interval_s;
+    for (k = 0; k < 3; k++) {
+        increment.angle_rad[k] = imu.measured_angle_rad[k];
+        increment.velocity_m_s[k] = imu.measured_velocity_m_s[k];
+    }
+    return increment;
+}
+
+/* A minute at rest, which ends before time 0, with sensors that have white noise; solved. The times are exact, so that the
+ * program raises no floating-point flag. */
+static inline sins_identify *scene_identify(void)
+{
+    sins_flight_sample sample = {.struct_size = sizeof sample, .latitude_rad = 0.7};
+    sins_recorded_increment increment;
+    sins_gyro_params gyro = {.struct_size = sizeof gyro};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_sim *sim = NULL;
+    sins_identify *identify = NULL;
+    int k;
+    for (k = 0; k < 3; k++) {
+        gyro.random_walk_rad_sqrt_s[k] = 1e-5;
+        accel.velocity_random_walk_m_s_sqrt_s[k] = 1e-3;
+    }
+    CHECK(sins_create(NULL, &sim) == SINS_OK && sins_set_gyro(sim, &gyro) == SINS_OK && sins_set_accel(sim, &accel) == SINS_OK);
+    CHECK(sins_identify_create(NULL, NULL, &identify) == SINS_OK);
+    for (k = -500; k < 0; k++) {
+        sample.time_s = 0.125 * k;
+        CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_identify_push_samples(identify, &sample, 1) == SINS_OK);
+        if (sins_step(sim) == SINS_OK) {
+            increment = scene_increment(sim, 0.0);
+            CHECK(sins_identify_push_increments(identify, &increment, 1) == SINS_OK);
+        }
+    }
+    CHECK(sins_identify_solve(identify, NULL) == SINS_OK);
+    CHECK(sins_destroy(sim) == SINS_OK);
+    return identify;
+}
+
 /* A record of every interval. */
 static inline void scene_fly(sins_sim *sim, const sins_flight_sample *samples, sins_record records[SCENE_COUNT - 1])
 {

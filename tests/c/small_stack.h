@@ -22,15 +22,20 @@ static void *small_stack_body(void *test)
 }
 
 /* The system puts a page without access below the stack. */
-static inline void on_a_small_stack(void (*test)(void))
+static inline void on_a_stack(size_t bytes, void (*test)(void))
 {
     pthread_attr_t attributes;
     pthread_t thread;
     CHECK(pthread_attr_init(&attributes) == 0);
-    CHECK(pthread_attr_setstacksize(&attributes, SMALL_STACK) == 0);
+    CHECK(pthread_attr_setstacksize(&attributes, bytes) == 0);
     CHECK(pthread_create(&thread, &attributes, small_stack_body, &test) == 0);
     CHECK(pthread_join(thread, NULL) == 0);
     CHECK(pthread_attr_destroy(&attributes) == 0);
+}
+
+static inline void on_a_small_stack(void (*test)(void))
+{
+    on_a_stack(SMALL_STACK, test);
 }
 
 #endif

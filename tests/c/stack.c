@@ -1,5 +1,5 @@
-/* Each function needs at most 48 KB of stack, so that a thread with 64 KB can call it. The stack below a call is filled with a
- * pattern; the lowest byte that has changed after the call gives the depth. */
+/* Each function needs at most 48 KB of stack, so that a thread with 64 KB can call it; sins_identify_solve() at most 256 KB. The stack
+ * below a call is filled with a pattern; the lowest byte that has changed after the call gives the depth. */
 
 #define _GNU_SOURCE
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "sins_functions.h"
 #include "small_stack.h"
 
-enum { DEEPEST = 48 * 1024, FUNCTIONS = 180, PAINT = 0x5a, SAMPLES = 8 };
+enum { DEEPEST = 48 * 1024, DEEPEST_SOLVE = 256 * 1024, FUNCTIONS = 180, PAINT = 0x5a, SAMPLES = 8 };
 
 static struct {
     char name[40];
@@ -400,6 +400,23 @@ static void call_every_function(void)
     MEASURE_VALUE(sins_status_string(SINS_OK));
 }
 
+/* Identification, whose solution takes more stack. */
+static void call_identify(void)
+{
+    sins_identify *identify;
+    sins_flight_sample sample = {.struct_size = sizeof sample, .latitude_rad = 0.7};
+    sins_recorded_increment increment = {.struct_size = sizeof increment, .interval_s = 0.1, .velocity_m_s = {0.0, 0.0, 0.98}};
+    find_bottom();
+    identify = scene_identify();
+    every_identify_call(identify, NULL, NULL);
+    MEASURE(sins_identify_destroy(identify));
+    identify = scene_identify();
+    MEASURE(sins_identify_push_samples(identify, &sample, 1));
+    MEASURE(sins_identify_push_increments(identify, &increment, 1));
+    MEASURE(sins_identify_solve(identify, NULL));
+    CHECK(sins_identify_destroy(identify) == SINS_OK);
+}
+
 static void call_all(void)
 {
     sins_options options = {.struct_size = sizeof options, .subsamples = 5, .updates_per_sample = 16};
@@ -451,8 +468,15 @@ int main(void)
         samples[k].temperature_c = 20.0 + k;
     }
     on_a_small_stack(call_all);
+    on_a_stack(DEEPEST_SOLVE + SMALL_STACK - DEEPEST, call_identify);
     for (k = 0; k < FUNCTIONS && deepest[k].name[0] != '\0'; k++) {
         printf("%6zu %s\n", deepest[k].bytes, deepest[k].name);
+        if (strcmp(deepest[k].name, "sins_identify_solve") == 0) {
+#ifndef __SANITIZE_ADDRESS__
+            CHECK(deepest[k].bytes <= DEEPEST_SOLVE);
+#endif
+            continue;
+        }
         most = deepest[k].bytes > most ? deepest[k].bytes : most;
     }
 #ifndef __SANITIZE_ADDRESS__

@@ -195,6 +195,7 @@ int main(void)
     sins_flight_sample sample[2] = {{.struct_size = sizeof sample[0]}};
     sins_flight *flight = scene_flight();
     sins_judge *judge = scene_judge();
+    sins_identify *identify = scene_identify();
     sins_unit *unit = scene_unit();
     sins_ensemble *ensemble = scene_ensemble();
     sins_scene *scene = scene_of_text();
@@ -204,9 +205,10 @@ int main(void)
     sample[1].time_s = 0.01;
     CHECK(sins_run(sim, sample, 2, 0, NULL, 0, NULL) == SINS_OK && sins_ensemble_run(ensemble, sample, 2) == SINS_OK);
     CHECK(sins_play_next(play) == SINS_OK && sins_play_next(play) == SINS_OK);
-    every_struct(sim, flight, judge, unit, ensemble, scene, log, play);
+    every_struct(sim, flight, judge, identify, unit, ensemble, scene, log, play);
     structs_by_hand();
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK && sins_judge_destroy(judge) == SINS_OK);
+    CHECK(sins_identify_destroy(identify) == SINS_OK);
     CHECK(sins_unit_destroy(unit) == SINS_OK && sins_ensemble_destroy(ensemble) == SINS_OK);
     CHECK(sins_scene_destroy(scene) == SINS_OK && sins_log_destroy(log) == SINS_OK && sins_play_destroy(play) == SINS_OK);
     printf("struct_sizes: every struct, from 0 to twice its size\n");

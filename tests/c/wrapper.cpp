@@ -173,7 +173,41 @@ static void plays() {
     CHECK(!same_navigation(play, planned));
 }
 
+/* Forty seconds at rest with tactical sensors. */
+static void identifications() {
+    sins::Identification identification;
+    sins::Simulator sim;
+    sins_imu imu = sins::make<sins_imu>();
+    sins_recorded_increment measured = sins::make<sins_recorded_increment>();
+    sim.set_gyro(sins::gyro_preset(SINS_GRADE_TACTICAL));
+    sim.set_accel(sins::accel_preset(SINS_GRADE_TACTICAL));
+    CHECK(error_of([&] { identification.solve(); }).status() < 0);
+    CHECK(error_of([&] { identification.scene(); }).status() == SINS_ERROR_BAD_STATE);
+    for (int k = 0; k < 400; ++k) {
+        const sins_flight_sample sample = at(0.1 * k);
+        CHECK(identification.push(&sample, 1));
+        sim.push_sample(sample);
+        if (sim.step() && sim.get_imu(imu)) {
+            measured.time_s = imu.time_s;
+            measured.interval_s = imu.interval_s;
+            std::memcpy(measured.angle_rad, imu.measured_angle_rad, sizeof measured.angle_rad);
+            std::memcpy(measured.velocity_m_s, imu.measured_velocity_m_s, sizeof measured.velocity_m_s);
+            identification.push(&measured, 1);
+        }
+    }
+    const sins_identified found = identification.solve();
+    CHECK(found.increments == 399 && found.used_s > 30.0);
+    const std::vector<sins_identified_parameter> parameters = identification.parameters();
+    CHECK(parameters.size() == SINS_IDENTIFIED_PARAMETERS && std::string(parameters[5].name) == "gyro bias x");
+    CHECK(sins::Scene(identification.scene()).faults().empty());
+    const sins_options options = sins::make<sins_options>();
+    sins_identify_request request = sins::make<sins_identify_request>();
+    request.axes[0] = 1;
+    CHECK(error_of([&] { sins::Identification(options, request); }).status() == SINS_ERROR_INVALID_ARGUMENT);
+}
+
 int main() {
+    identifications();
     plays();
     moved_objects();
     texts_of_scenes();

@@ -96,3 +96,9 @@ fn a_recommendation_is_flown_and_a_refused_one_writes_nothing() {
 fn a_budget_has_its_rows_and_a_refused_one_writes_nothing() {
     run_test_program("budget");
 }
+
+/// Errors that were set on a simulator come back from its increments, and a bad push or record changes nothing.
+#[test]
+fn errors_of_a_record_are_identified_and_a_bad_one_is_answered() {
+    run_test_program("identify");
+}

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::registry::Registry;
+use crate::analysis::identify::Feed;
 use crate::ensemble::Ensemble;
 use crate::judge::Judge;
 #[cfg(feature = "scenes")]
@@ -27,6 +28,8 @@ pub(in crate::abi) static UNITS: Registry<Unit, 6> = Registry::new();
 pub(in crate::abi) static PLAYS: Registry<PlayHandles, 7> = Registry::new();
 /// Judges, each made as simulators are.
 pub(in crate::abi) static JUDGES: Registry<Box<[Judge; 1]>, 8> = Registry::new();
+/// Paths with their records, likewise.
+pub(in crate::abi) static IDENTIFIES: Registry<Box<[Feed; 1]>, 9> = Registry::new();
 
 /// The result of reading a text: a scene, unless the text has faults.
 #[cfg(feature = "scenes")]
@@ -66,6 +69,7 @@ pub(in crate::abi) fn is_inside_a_handle() -> bool {
         || ENSEMBLES.is_in_use_here()
         || UNITS.is_in_use_here()
         || JUDGES.is_in_use_here()
+        || IDENTIFIES.is_in_use_here()
 }
 
 /// Called in a forked process: objects that other threads had in use are lost.
@@ -76,6 +80,7 @@ pub(in crate::abi) fn lose_what_others_use() {
     ENSEMBLES.lose_what_others_use();
     UNITS.lose_what_others_use();
     JUDGES.lose_what_others_use();
+    IDENTIFIES.lose_what_others_use();
     #[cfg(feature = "scenes")]
     {
         SCENES.lose_what_others_use();

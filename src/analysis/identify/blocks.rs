@@ -125,19 +125,25 @@ fn close(blocks: &mut Vec<Block>, block: Option<Block>, length_s: f64) -> Result
 
 /// Rejects increments that go back in time, and signals that no sensor has.
 pub(super) fn check(record: &[RecordedIncrement]) -> Result<(), Error> {
-    let mut last_s = f64::NEG_INFINITY;
+    let mut last_s = None;
     for (index, row) in record.iter().enumerate() {
-        check_range("record.interval_s", row.interval_s, 1e-6, 60.0).map_err(|error| error.at(index))?;
-        check_range("record.time_s", row.time_s, -1e12, 1e12).map_err(|error| error.at(index))?;
-        if row.time_s <= last_s {
-            let rule = Rule::SentenceWith("must be later than the increment before, at", last_s.into());
-            return Err(Error::of(ErrorKind::TimeOrder, "record.time_s", row.time_s, rule).at(index));
-        }
-        last_s = row.time_s;
-        for (part, value) in six(&row.increment).iter().enumerate() {
-            let name = if part < 3 { "record.angle" } else { "record.velocity" };
-            check_range(name, value / row.interval_s, -LARGEST, LARGEST).map_err(|error| error.at(index))?;
-        }
+        check_row(row, last_s).map_err(|error| error.at(index))?;
+        last_s = Some(row.time_s);
+    }
+    Ok(())
+}
+
+/// Checks an increment behind one of time `last_s` [s].
+pub(super) fn check_row(row: &RecordedIncrement, last_s: Option<f64>) -> Result<(), Error> {
+    check_range("record.interval_s", row.interval_s, 1e-6, 60.0)?;
+    check_range("record.time_s", row.time_s, -1e12, 1e12)?;
+    if let Some(last_s) = last_s.filter(|last_s| row.time_s <= *last_s) {
+        let rule = Rule::SentenceWith("must be later than the increment before, at", last_s.into());
+        return Err(Error::of(ErrorKind::TimeOrder, "record.time_s", row.time_s, rule));
+    }
+    for (part, value) in six(&row.increment).iter().enumerate() {
+        let name = if part < 3 { "record.angle" } else { "record.velocity" };
+        check_range(name, value / row.interval_s, -LARGEST, LARGEST)?;
     }
     Ok(())
 }

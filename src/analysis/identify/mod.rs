@@ -44,7 +44,9 @@ mod axes;
 mod blocks;
 pub mod check;
 mod clock;
+mod feed;
 mod jump;
+mod listed;
 mod noise;
 mod parameter;
 mod path;
@@ -60,6 +62,8 @@ mod whiten;
 
 pub use axes::Axes;
 pub use blocks::{FEWEST_INCREMENTS, RecordedIncrement};
+pub use feed::{Feed, MOST_ROWS};
+pub use listed::{LISTED, Listed, listed};
 pub use noise::{NoiseEstimate, SensorNoise};
 pub use parameter::{Estimate, PARAMETERS, TriadEstimate};
 pub use path::IdealPath;
@@ -96,7 +100,7 @@ impl Request {
         match &self.axes {
             Some(axes) if !Axes::exchanges().any(|exchange| exchange == *axes) => {
                 let rule = Rule::Sentence("must be a signed exchange of axes without reflection");
-                Err(Error { field: "request.axes", rule, ..Error::bad_state("") })
+                Err(Error { value: None, ..Error::invalid("request.axes", 0.0, rule) })
             }
             _ => Ok(()),
         }

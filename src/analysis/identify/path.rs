@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::blocks::LARGEST;
 use crate::analysis::recommend::{Refusal, fly_looking};
 use crate::base::error::{Error, ErrorKind, Rule, check_range};
-use crate::base::memory::room_for_one_more;
+use crate::base::memory::room_for_more;
 use crate::signal::Increment;
 use crate::simulator::{Options, Simulator};
 use crate::truth::FlightSample;
@@ -75,18 +75,22 @@ impl IdealPath {
                 return Err(Error::of(ErrorKind::TimeOrder, "path.time_s", time_s, rule));
             }
             (None, _) => {
-                room_for_one_more(&mut self.times_s)?;
-                room_for_one_more(&mut self.integrals)?;
+                self.make_room()?;
                 self.times_s.push(time_s - interval_s);
                 self.integrals.push(Six::zeros());
                 Six::zeros()
             }
         };
-        room_for_one_more(&mut self.times_s)?;
-        room_for_one_more(&mut self.integrals)?;
+        self.make_room()?;
         self.times_s.push(time_s);
         self.integrals.push(before + six(ideal));
         Ok(())
+    }
+
+    /// Makes room for an interval, and for the begin of the path.
+    pub(super) fn make_room(&mut self) -> Result<(), Error> {
+        room_for_more(&mut self.times_s, 2)?;
+        room_for_more(&mut self.integrals, 2)
     }
 
     /// First and last time [s]; the path has two intervals or more.

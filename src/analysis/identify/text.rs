@@ -62,6 +62,11 @@ pub fn axes(exchange: &Matrix3<f64>, is_seen: bool) -> String {
     words.join("; ")
 }
 
+/// The scene of what was found, at rest: a host sets another flight. `axes` are those of the vehicle.
+pub fn scene(found: &Identified, axes: BodyAxes) -> String {
+    format!("{MARK}, {FIGURES}\n\n[flight]\nbuiltin = \"rest\"\n{}", sections(found, axes))
+}
+
 /// The sections of a scene that has what was found; its vehicle has `axes`. What was not seen is a comment.
 pub fn sections(found: &Identified, axes: BodyAxes) -> String {
     let mut text = match axes {

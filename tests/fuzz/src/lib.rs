@@ -14,6 +14,7 @@
 mod calls;
 mod ensembles;
 mod host;
+mod identify;
 mod input;
 pub mod minimal;
 mod motion;

@@ -8,6 +8,7 @@ use sins::scene::{BUILTIN_SCENES, keys};
 
 use crate::call;
 use crate::host::init;
+use crate::identify::check_identify;
 use crate::input::{Argument, Input};
 
 /// The text that a function writes. A smaller buffer must be rejected.
@@ -198,6 +199,7 @@ pub fn check_log(text: &[u8]) {
     let status = call!(sins_log_create(samples.as_ptr(), samples.len(), &mut copy));
     assert_eq!(status, SINS_OK, "a log of the samples of a log");
     check_judge(copy, &samples);
+    check_identify(&samples);
     assert_eq!(call!(sins_log_destroy(copy)), SINS_OK);
     let status = call!(sins_log_get_sample(log, info.samples as usize, &mut init(), null_mut()));
     assert_eq!(status, SINS_ERROR_INVALID_ARGUMENT);

@@ -1,0 +1,67 @@
+//! All that was found as one list, in SI units.
+
+use super::Identified;
+use super::sheet::{AXES, sheets};
+use super::text::not_seen;
+use super::{Estimate, NoiseEstimate};
+
+/// Number of quantities: shift and drift of the clock, three angles of the mounting; bias, scale factor, two misalignments and three
+/// coefficients of the noise of each of the six sensors.
+pub const LISTED: usize = 5 + 6 * (4 + 3);
+
+/// A quantity that a record may show.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Listed {
+    /// "gyro bias x".
+    pub name: String,
+    /// SI unit of the figures.
+    pub unit: &'static str,
+    /// Mean.
+    pub value: f64,
+    /// 95 % interval; of noise that is not seen from 0 on.
+    pub interval: (f64, f64),
+    /// Standard deviation with the record and before it; 0 of noise, whose distribution is not normal.
+    pub sigmas: (f64, f64),
+    /// Why the record does not show it, and what would; `None`: it does.
+    pub reason: Option<String>,
+}
+
+impl Listed {
+    fn new(name: String, unit: &'static str, estimate: &Estimate, shown_by: &str) -> Self {
+        let Estimate { value, sigma, prior } = *estimate;
+        let reason = (!estimate.is_seen()).then(|| not_seen(shown_by));
+        Self { name, unit, value, interval: estimate.interval(), sigmas: (sigma, prior), reason }
+    }
+
+    fn noise(name: String, unit: &'static str, noise: &NoiseEstimate) -> Self {
+        let reason =
+            (!noise.is_seen()).then(|| "not seen in this record; the interval is its bound".to_owned());
+        let NoiseEstimate { value, low, high } = *noise;
+        Self { name, unit, value, interval: (low, high), sigmas: (0.0, 0.0), reason }
+    }
+}
+
+/// All quantities, the clock first, then mounting, gyros and accelerometers: [`LISTED`].
+pub fn listed(found: &Identified) -> Vec<Listed> {
+    let mut list = vec![
+        Listed::new("clock shift".to_owned(), "s", &found.offset_s, "more turns"),
+        Listed::new("clock drift".to_owned(), "1", &found.drift, "a longer record with more turns"),
+    ];
+    for (angle, axis) in found.mounting.iter().zip(AXES) {
+        let shown_by = format!("more turns about other axes than {axis}");
+        list.push(Listed::new(format!("mounting {axis}"), "rad", angle, &shown_by));
+    }
+    for sheet in sheets(found) {
+        let named = |name: &str| format!("{} {name}", sheet.section);
+        list.extend(
+            sheet
+                .lines
+                .iter()
+                .map(|line| Listed::new(named(&line.name), line.si, &line.estimate, &line.shown_by)),
+        );
+        list.extend(
+            sheet.noises.iter().map(|line| Listed::noise(named(&line.name), line.si, &line.estimate)),
+        );
+    }
+    list
+}

@@ -1,0 +1,199 @@
+/* sins_identify through the interface: errors that were set on a simulator come back from its increments, what a record cannot show is
+ * said, and no bad value, order or record changes what was pushed or found. */
+
+#include <math.h>
+#include <string.h>
+
+#include "failure_is.h"
+#include "scene.h"
+
+static sins_identify *identify;
+static sins_identified_parameter parameter = {.struct_size = sizeof parameter};
+
+static const sins_identified_parameter *read_parameter(size_t index)
+{
+    CHECK(sins_identify_get_parameter(identify, index, &parameter) == SINS_OK);
+    CHECK(parameter.low <= parameter.value && parameter.value <= parameter.high);
+    CHECK((parameter.reason[0] == '\0') == (parameter.flags == SINS_IDENTIFIED_SEEN));
+    return &parameter;
+}
+
+/* Four standard deviations: one parameter in 16000 is beyond them. */
+static void is_within(size_t index, const char *name, double truth)
+{
+    const sins_identified_parameter *one = read_parameter(index);
+    if (strcmp(one->name, name) != 0 || fabs(one->value - truth) > 4.0 * one->sigma) {
+        fprintf(stderr, "%s: %g, sigma %g, true %g\n", one->name, one->value, one->sigma, truth);
+    }
+    CHECK(strcmp(one->name, name) == 0 && fabs(one->value - truth) <= 4.0 * one->sigma);
+    CHECK(one->flags == SINS_IDENTIFIED_SEEN && one->sigma < 0.5 * one->prior);
+}
+
+/* Aerobatics, with sensors whose clock is 0.25 s behind. */
+static void errors_come_back(void)
+{
+    const double behind_s = 0.25, rate_hz = 20.0;
+    sins_gyro_params gyro = {.struct_size = sizeof gyro}, of_scene = {.struct_size = sizeof of_scene};
+    sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    sins_recorded_increment measured;
+    sins_identified found = {.struct_size = sizeof found};
+    sins_scene *scene = NULL, *identified_scene = NULL;
+    sins_flight *flight = NULL;
+    sins_sim *sim = NULL;
+    static char text[16384];
+    size_t needed = 0, whole = 0;
+    int k;
+    for (k = 0; k < 3; k++) {
+        gyro.random_walk_rad_sqrt_s[k] = 0.05 * SINS_DEG_PER_SQRT_HOUR;
+        accel.velocity_random_walk_m_s_sqrt_s[k] = 50.0 * SINS_MICRO_G_PER_SQRT_HZ;
+    }
+    gyro.bias_rad_s[1] = 30.0 * SINS_DEG_PER_HOUR;
+    gyro.scale_factor[0] = 2e-3;
+    accel.bias_m_s2[2] = 2000.0 * SINS_MICRO_G;
+    CHECK(sins_create(NULL, &sim) == SINS_OK && sins_set_gyro(sim, &gyro) == SINS_OK && sins_set_accel(sim, &accel) == SINS_OK);
+    CHECK(sins_scene_create_builtin("aerobatics", &scene) == SINS_OK && sins_scene_create_flight(scene, &flight) == SINS_OK);
+    CHECK(sins_identify_create(NULL, NULL, &identify) == SINS_OK);
+    for (k = 0; k < 6000; k++) {
+        CHECK(sins_flight_sample_at(flight, k / rate_hz, &sample) == SINS_OK);
+        CHECK(sins_identify_push_samples(identify, &sample, 1) == SINS_OK);
+        CHECK(sins_push_sample(sim, &sample) == SINS_OK);
+        if (sins_step(sim) == SINS_OK) {
+            measured = scene_increment(sim, behind_s);
+            CHECK(sins_identify_push_increments(identify, &measured, 1) == SINS_OK);
+        }
+    }
+    CHECK(sins_identify_solve(identify, &found) == SINS_OK);
+    CHECK(found.flags == SINS_IDENTIFIED_SEEN && found.increments == 5999 && fabs(found.used_s - 300.0) < 10.0);
+    CHECK(fabs(found.rotation[0] - 1.0) < 1e-3 && fabs(found.boresight_rad[2]) < 1e-2);
+    is_within(0, "clock shift", behind_s);
+    is_within(6, "gyro bias y", gyro.bias_rad_s[1]);
+    is_within(8, "gyro scale factor x", gyro.scale_factor[0]);
+    is_within(28, "accelerometer bias z", accel.bias_m_s2[2]);
+    read_parameter(17);
+    CHECK(strcmp(parameter.name, "gyro white noise x") == 0 && strcmp(parameter.unit, "rad/sqrt(s)") == 0);
+    CHECK(parameter.low < gyro.random_walk_rad_sqrt_s[0] && gyro.random_walk_rad_sqrt_s[0] < parameter.high);
+    for (k = 0; k < SINS_IDENTIFIED_PARAMETERS; k++) {
+        read_parameter((size_t)k);
+    }
+    CHECK(strcmp(parameter.name, "accelerometer random walk z") == 0);
+
+    /* The scene has the same numbers, with six digits. */
+    CHECK(sins_identify_get_scene(identify, NULL, 0, &whole) == SINS_OK && whole < sizeof text);
+    CHECK(sins_identify_get_scene(identify, text, 10, &needed) == SINS_ERROR_BUFFER_TOO_SMALL && needed == whole);
+    CHECK(sins_identify_get_scene(identify, text, sizeof text, &needed) == SINS_OK && strlen(text) + 1 == whole);
+    CHECK(sins_scene_parse(text, whole - 1, &identified_scene) == SINS_OK);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_scene_create_simulator(identified_scene, &sim) == SINS_OK);
+    CHECK(sins_get_gyro(sim, &of_scene) == SINS_OK);
+    read_parameter(6);
+    CHECK(fabs(of_scene.bias_rad_s[1] / parameter.value - 1.0) < 1e-5);
+
+    /* A sample that jumps and an increment that goes back are rejected; what was found stays, and is found again. */
+    sample.time_s += 0.1;
+    sample.height_m += 1e5;
+    CHECK(sins_identify_push_samples(identify, &sample, 1) == SINS_ERROR_DISCONTINUITY);
+    CHECK(sins_identify_push_increments(identify, &measured, 1) == SINS_ERROR_TIME_ORDER);
+    CHECK(sins_identify_solve(identify, NULL) == SINS_OK);
+    CHECK(read_parameter(6)->value / (30.0 * SINS_DEG_PER_HOUR) > 0.5);
+    CHECK(sins_identify_destroy(identify) == SINS_OK && sins_identify_destroy(identify) == SINS_ERROR_BAD_HANDLE);
+    CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK);
+    CHECK(sins_scene_destroy(scene) == SINS_OK && sins_scene_destroy(identified_scene) == SINS_OK);
+}
+
+/* A unit at rest shows its biases and its noise, and no clock, which is said. */
+static void rest_shows_little(void)
+{
+    identify = scene_identify();
+    read_parameter(0);
+    CHECK(parameter.flags == 0 && strstr(parameter.reason, "not seen in this motion") == parameter.reason);
+    CHECK(read_parameter(5)->flags == SINS_IDENTIFIED_SEEN);
+    CHECK(sins_identify_destroy(identify) == SINS_OK);
+}
+
+static void bad_request(sins_identify_request request, const char *sentence)
+{
+    sins_identify *made = NULL;
+    char text[256];
+    request.struct_size = sizeof request;
+    CHECK(sins_identify_create(NULL, &request, &made) == SINS_ERROR_INVALID_ARGUMENT && made == NULL);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
+    if (strncmp(text, sentence, strlen(sentence)) != 0) {
+        fprintf(stderr, "%s\n", text);
+    }
+    CHECK(strncmp(text, sentence, strlen(sentence)) == 0);
+}
+
+static void wrong_use_is_answered(void)
+{
+    sins_identify_request known = {.struct_size = sizeof known, .flags = SINS_IDENTIFY_SHIFT, .prior = SINS_GRADE_TACTICAL};
+    static sins_recorded_increment record[200];
+    sins_identified found = {.struct_size = sizeof found, .increments = 77};
+    sins_identified_parameter one = {.struct_size = sizeof one, .value = 77.0};
+    sins_flight_sample sample = {.struct_size = sizeof sample};
+    char text[256] = "before";
+    int k;
+    bad_request((sins_identify_request){.flags = 2}, "request.flags = 2: must be from 0 to 1");
+    bad_request((sins_identify_request){.prior = 99}, "request.prior = 99: ");
+    bad_request((sins_identify_request){.axes = {1, 4, 3}}, "request.axes[1] = 4: must be 1, 2 or 3");
+    bad_request((sins_identify_request){.axes = {1, 2, 0}}, "request.axes[2] = 0: must be 1, 2 or 3");
+    bad_request((sins_identify_request){.axes = {1, 2, INT32_MIN}}, "request.axes[2] = -2147483648: ");
+    bad_request((sins_identify_request){.axes = {1, 2, -3}}, "request.axes: must be a signed exchange");
+    bad_request((sins_identify_request){.flags = 1, .shift_s = NAN}, "request.offset_s = NaN");
+    known.axes[0] = 2;
+    known.axes[1] = 1;
+    known.axes[2] = -3;
+    CHECK(sins_identify_create(NULL, &known, &identify) == SINS_OK);
+    CHECK(sins_identify_get_parameter(identify, 0, &one) == SINS_ERROR_BAD_STATE && one.value == 77.0);
+    CHECK(sins_identify_get_scene(identify, text, sizeof text, NULL) == SINS_ERROR_BAD_STATE && strcmp(text, "before") == 0);
+    CHECK(sins_identify_solve(identify, &found) < 0 && found.increments == 77);
+    CHECK(sins_identify_get_parameter(identify, SINS_IDENTIFIED_PARAMETERS, &one) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_identify_get_parameter(identify, SIZE_MAX, &one) == SINS_ERROR_INVALID_ARGUMENT && one.value == 77.0);
+    record[0].struct_size = sizeof record[0];
+    for (k = 0; k < 200; k++) {
+        record[k].time_s = 0.01 * k;
+        record[k].interval_s = 0.01;
+    }
+    CHECK(sins_identify_push_increments(identify, NULL, 0) == SINS_OK && sins_identify_push_samples(identify, NULL, 0) == SINS_OK);
+    CHECK(sins_identify_push_increments(identify, record, 200) == SINS_OK);
+    CHECK(sins_identify_push_increments(identify, record + 199, 1) == SINS_ERROR_STRUCT_SIZE);
+    CHECK(sins_identify_push_increments(identify, record, 1) == SINS_ERROR_TIME_ORDER);
+    /* What stands before a bad increment is taken, and the failure names its place. */
+    record[0].time_s = 2.0;
+    record[1].time_s = 2.01;
+    record[1].angle_rad[2] = INFINITY;
+    CHECK(sins_identify_push_increments(identify, record, 3) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "record.angle[1] = inf: ") == text);
+    CHECK(sins_identify_push_increments(identify, record, 1) == SINS_ERROR_TIME_ORDER);
+    record[0].time_s = NAN;
+    CHECK(sins_identify_push_increments(identify, record, 1) == SINS_ERROR_INVALID_ARGUMENT);
+    record[0].time_s = 5.0;
+    record[0].interval_s = 0.0;
+    CHECK(sins_identify_push_increments(identify, record, 1) == SINS_ERROR_INVALID_ARGUMENT);
+    record[0].interval_s = 0.01;
+    record[0].reserved = 1;
+    CHECK(sins_identify_push_increments(identify, record, 1) == SINS_ERROR_INVALID_ARGUMENT);
+    strcpy(text, "before");
+    /* A record without a path. */
+    CHECK(sins_identify_solve(identify, &found) < 0 && found.increments == 77);
+    sample.latitude_rad = NAN;
+    CHECK(sins_identify_push_samples(identify, &sample, 1) == SINS_ERROR_INVALID_ARGUMENT);
+    /* At a pole, where an INS in geographic axes cannot fly, the path can. */
+    for (k = 0; k < 10; k++) {
+        sample.latitude_rad = 90.0 * SINS_DEG;
+        sample.time_s = 0.5 * k;
+        CHECK(sins_identify_push_samples(identify, &sample, 1) == SINS_OK);
+    }
+    /* A record that is dead: zeros while gravity acts. */
+    CHECK(sins_identify_solve(identify, &found) == SINS_ERROR_INVALID_ARGUMENT && found.increments == 77);
+    CHECK(sins_identify_get_parameter(identify, 0, &one) == SINS_ERROR_BAD_STATE);
+    CHECK(sins_identify_destroy(identify) == SINS_OK);
+}
+
+int main(void)
+{
+    errors_come_back();
+    rest_shows_little();
+    wrong_use_is_answered();
+    printf("identify: errors come back from increments, and wrong use is answered\n");
+    return 0;
+}
