@@ -18,6 +18,7 @@ pub fn write(interface: &Interface) -> Vec<(&'static str, String)> {
         ("sins/_calls.py", include_str!("../bindings/python/sins/_calls.py")),
         ("sins/_ensemble.py", include_str!("../bindings/python/sins/_ensemble.py")),
         ("sins/_flight.py", include_str!("../bindings/python/sins/_flight.py")),
+        ("sins/_identify.py", include_str!("../bindings/python/sins/_identify.py")),
         ("sins/_judge.py", include_str!("../bindings/python/sins/_judge.py")),
         ("sins/_scene.py", include_str!("../bindings/python/sins/_scene.py")),
         ("sins/c.pyi", include_str!("../bindings/python/sins/c.pyi")),

@@ -32,6 +32,7 @@ SCENES = PROJECT / "c_examples/scenes"
 PROGRAM = sys.argv.pop(1)
 GRADE = {"gyro": "navigation", "accel": "navigation", "start": "navigation"}
 DAY = (SCENES / "day.toml").read_text()
+NOISE = {"gyro": {"random_walk_deg_sqrt_h": 0.05}, "accel": {"random_walk_micro_g_sqrt_hz": 50}}
 # All that takes settings.
 FLIES = [sins.fly, sins.Flight, sins.ensemble, sins.budget, lambda *flown, **settings: sins.recommend(*flown, position_m=1, **settings)]
 LONG = {"hours": 20, "options": {"scheme": "polynomial", "subsamples": 5, "updates_per_sample": 16}}
@@ -292,6 +293,9 @@ class Copies(unittest.TestCase):
         truth = sins.trajectory(log("fighter_aerobatics.csv"))
         drawn = sins.ensemble("racetrack", hours=0.01, runs=3, **GRADE)
 
+        with sins.Flight("aerobatics", hours=0.02, flight={"rate_hz": 25}, options={"subsamples": 1}, **NOISE) as flight:
+            identified = sins.identify("aerobatics", flight.fly(), hours=0.02, flight={"rate_hz": 25})
+
         def record(run):
             return [run.records.tobytes(), repr(run)]
 
@@ -302,6 +306,8 @@ class Copies(unittest.TestCase):
             "Trajectory": (truth, lambda one: record(sins.fly(one, **GRADE))),
             "Finding": (sins.Finding("note", "gaps", 1, 0.5, 2, 3.0, 0.0, 0.0, "two gaps"), str),
             "Budget": (sins.budget("racetrack", hours=0.01, gyro={"bias_deg_h": 1}), lambda one: [str(one), bytes(one.whole)]),
+            "Identified": (identified, lambda one: [str(one), one.scene(), one.rotation.tolist(), one["gyro bias x"]]),
+            "Parameter": (identified.parameters[0], str),
             "Recommendation": (sins.recommend("aerobatics", hours=0.01, position_m=1), lambda one: [one.options, bytes(one.cost)]),
         }
         every = {name for name in sins.__all__ if isinstance(getattr(sins, name), type)}
@@ -580,6 +586,75 @@ class Analysis(unittest.TestCase):
         self.assertTrue(found.is_met)
         sins.fly("aerobatics", hours=0.02, options=found.options)
         self.assertFalse(sins.recommend("aerobatics", hours=0.02, position_m=1e-12, duration_s=3600).is_met)
+
+
+class Identification(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.path = {"hours": 0.05, "flight": {"rate_hz": 25}}
+        sensors = {"gyro": {**NOISE["gyro"], "bias_deg_h": [0, 30, 0]}, "accel": {**NOISE["accel"], "bias_micro_g": [0, 0, 2000]}}
+        with sins.Flight("aerobatics", options={"subsamples": 1}, **sensors, **cls.path) as flight:
+            cls.imu = flight.fly()
+
+    def as_dict(self, **changed):
+        imu = {"time_s": self.imu["time_s"], "angle_rad": self.imu["measured_angle_rad"], "velocity_m_s": self.imu["measured_velocity_m_s"]}
+        return {name: value for name, value in {**imu, **changed}.items() if value is not None}
+
+    def test_errors_that_were_set_come_back(self):
+        found = sins.identify("aerobatics", self.imu, **self.path)
+        self.assertEqual((len(found.parameters), found.rotation.shape), (c.IDENTIFIED_PARAMETERS, (3, 3)))
+        for name, truth in (("clock shift", 0), ("gyro bias y", 30 * c.DEG_PER_HOUR), ("accelerometer bias z", 2000 * c.MICRO_G)):
+            one = found[name]
+            self.assertTrue(one.is_seen and not one.reason, one)
+            self.assertLess(abs(one.value - truth), 4 * one.sigma, one)
+            self.assertAlmostEqual(one.interval[1] - one.value, 1.96 * one.sigma)
+        self.assertTrue(all(one.is_seen != bool(one.reason) for one in found.parameters))
+        self.assertIn("gyro bias y: ", str(found))
+        self.assertRaisesRegex(KeyError, "the parameters are clock shift, ", lambda: found["gyro bias"])
+        run = sins.fly(found.scene(), hours=0.01)
+        self.assertGreater(abs(run.position_error_m[-1]).max(), 1)
+
+    def test_a_record_of_another_clock_and_other_axes(self):
+        turned = self.as_dict(time_s=self.imu["time_s"] - 5.0, rate_rad_s=None)
+        for name in ("angle_rad", "velocity_m_s"):
+            x, y, z = turned[name].T
+            turned[name] = pandas.DataFrame({"y": y, "x": x, "z": -z})
+        for known in ({}, {"axes": "y x -z", "shift_s": 4.0, "prior": "tactical"}):
+            found = sins.identify("aerobatics", turned, **known, **self.path)
+            self.assertLess(abs(found["clock shift"].value - 5.0), 4 * found["clock shift"].sigma)
+            self.assertLess(abs(found.rotation - [[0, 1, 0], [1, 0, 0], [0, 0, -1]]).max(), 0.01)
+            self.assertTrue(found.axes_are_seen)
+
+    def test_rates_are_their_integrals_and_a_trajectory_is_its_scene(self):
+        interval_s = float(np.median(np.diff(self.imu["time_s"])))
+        rates = self.as_dict(angle_rad=None, velocity_m_s=None, rate_rad_s=self.imu["measured_angle_rad"] / interval_s,
+                             force_m_s2=self.imu["measured_velocity_m_s"] / interval_s)
+        expected, found = (sins.identify("aerobatics", imu, **self.path) for imu in (self.imu, rates))
+        for one, other in zip(expected.parameters, found.parameters):
+            self.assertAlmostEqual(other.value, one.value, delta=1e-3 * max(one.sigma, abs(one.value)))
+
+    def test_what_is_wrong_is_named(self):
+        rows = len(self.imu)
+        for error, sentence, arguments in [
+            (ValueError, "prior = 'best': must be strategic, ", {"prior": "best"}),
+            (ValueError, "axes = 'x y': must be x, y and z once each", {"axes": "x y"}),
+            (sins.Error, "request.axes: must be a signed exchange of axes without reflection", {"axes": "x y -z"}),
+            (sins.Error, "request.offset_s = NaN", {"shift_s": float("nan")}),
+            (sins.Error, "no such section: foo", {"foo": {}}),
+            (TypeError, "no time_s", {"imu": {}}),
+            (TypeError, "give one of rate_rad_s and angle_rad", {"imu": self.as_dict(angle_rad=None)}),
+            (TypeError, "give one of force_m_s2 and velocity_m_s", {"imu": self.as_dict(force_m_s2=np.zeros((rows, 3)))}),
+            (ValueError, rf"angle_rad has the shape \({rows},\): expected \({rows}, 3\)", {"imu": self.as_dict(angle_rad=np.zeros(rows))}),
+            (ValueError, r"time_s has the shape \(1,\)", {"imu": self.as_dict(time_s=[0.0])}),
+            (ValueError, r"interval_s has the shape \(2,\)", {"imu": self.as_dict(interval_s=[0.1, 0.1])}),
+            (TypeError, "velocity_m_s: not numbers", {"imu": self.as_dict(velocity_m_s="abc")}),
+            (sins.Error, r"record.angle\[0\] = NaN", {"imu": self.as_dict(angle_rad=np.full((rows, 3), np.nan))}),
+            (sins.Error, r"record.time_s\[1\] = 0: must be later", {"imu": self.as_dict(time_s=np.zeros(rows), interval_s=0.04)}),
+            (sins.Error, "record.", {"imu": self.as_dict(angle_rad=57.3 * self.imu["measured_angle_rad"])}),
+            (sins.Error, "record.count = 50: must be at least 100", {"imu": self.imu[:50]}),
+        ]:
+            with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
+                sins.identify("aerobatics", arguments.pop("imu", self.imu), **arguments, **self.path)
 
 
 class Page(unittest.TestCase):
