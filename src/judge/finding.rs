@@ -83,6 +83,12 @@ pub enum Kind {
     VelocityLate = 27,
     /// Attitude in steps; figure: the step of an angle [rad].
     CoarseAttitude = 28,
+    /// Columns of a log that are not read contradict what flies; figure: number of them.
+    UnreadContradicts = 29,
+    /// Height above 100 km of what is in no orbit; figure: the largest [m].
+    HeightUnlikely = 30,
+    /// Climb or descent above 1 km/s of what is in no orbit; figure: the largest over a second [m/s].
+    ClimbUnlikely = 31,
 }
 
 /// What explains a finding.
@@ -165,6 +171,12 @@ impl Finding {
         Some(found).filter(Self::is_of_two)
     }
 
+    /// `count` columns that are not read contradict what flies, the first of them as this quantity.
+    pub(crate) fn of_unread(count: u64, quantity: &'static str) -> Self {
+        let found = Self::new(Kind::UnreadContradicts, Level::Doubtful, count as f64);
+        Self { count, clue: Clue::Known(quantity), ..found }
+    }
+
     /// Whether velocities contradict the positions so much that these or the times may be wrong as well, by a sign, exchanged, or by a
     /// factor that is no unit of speeds. Below that, between rows of 1 s, a slow vehicle may do it.
     fn is_open(&self) -> bool {
@@ -195,6 +207,7 @@ impl Finding {
                 | Kind::PitchSign
                 | Kind::AttackNegative
                 | Kind::HeightUnit
+                | Kind::HeightUnlikely
                 | Kind::AttitudeHeld
                 | Kind::AttitudeLate
         ) || self.is_of_two();
@@ -316,7 +329,11 @@ impl Finding {
             }
             Kind::AttackNegative => "right for a helicopter, else check the sign of pitch",
             Kind::HeightUnit => "state the unit of the height",
+            Kind::HeightUnlikely | Kind::ClimbUnlikely => {
+                "right for a rocket, else state the unit of the height"
+            }
             Kind::AttitudeHeld => "correct these attitudes, or set attitude = \"coordinated\" in [log]",
+            Kind::UnreadContradicts => "compare them, and correct [log] or the columns",
             Kind::AttitudeLate => {
                 "correct the time of the attitude, or set attitude = \"coordinated\" in [log]"
             }

@@ -43,6 +43,26 @@ impl fmt::Display for Finding {
             (Kind::NoisyVelocities, _) => write!(f, "velocities have {figure} m/s of noise"),
             (Kind::NoisyAttitude, _) => write!(f, "attitude has {degrees} deg of noise"),
             (Kind::CoarseAttitude, _) => write!(f, "attitude steps by {degrees} deg"),
+            (Kind::UnreadContradicts, clue) => {
+                let verb = if self.count == 1 {
+                    "is not read, and contradicts"
+                } else {
+                    "are not read, and contradict"
+                };
+                write!(f, "{} {verb} what flies", Counted(self.count, "column"))?;
+                match clue {
+                    Clue::Known(quantity) => {
+                        write!(f, ": the {quantity}{}", if self.count > 1 { " first of all" } else { "" })
+                    }
+                    _ => Ok(()),
+                }
+            }
+            (Kind::HeightUnlikely, _) => {
+                write!(f, "the height is {figure} m at {at} s (is it in another unit?)")
+            }
+            (Kind::ClimbUnlikely, _) => {
+                write!(f, "the height changes by {figure} m/s at {at} s (is it in another unit?)")
+            }
             (Kind::VelocityLate, _) => {
                 let word = if self.figure < 0.0 { "early" } else { "late" };
                 let delay = Digits(self.figure.abs());

@@ -29,6 +29,9 @@ impl ColumnFrom {
     }
 }
 
+/// The parts of a column of degrees that say where their minutes and seconds stand.
+pub const SIXTIETHS: [&str; 2] = ["minutes", "seconds"];
+
 /// How a quantity is read: value = scale · unit · cell + add.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogColumn {
@@ -47,6 +50,8 @@ pub struct LogColumn {
     pub part: usize,
     /// Where the letter of the hemisphere of a latitude or a longitude stands, S and W being negative; `OwnName`: it has none.
     pub hemisphere: ColumnFrom,
+    /// Where the minutes and the seconds of a latitude or a longitude stand whose cells are degrees; `OwnName`: it has none.
+    pub sixtieths: [ColumnFrom; 2],
 }
 
 impl Default for LogColumn {
@@ -60,11 +65,18 @@ impl Default for LogColumn {
             file: String::new(),
             part: 0,
             hemisphere: ColumnFrom::OwnName,
+            sixtieths: [ColumnFrom::OwnName, ColumnFrom::OwnName],
         }
     }
 }
 
 impl LogColumn {
+    /// Whether it has what only cells of a table have.
+    pub(crate) fn is_of_cells(&self) -> bool {
+        let is_one = |from: &ColumnFrom| *from != ColumnFrom::OwnName;
+        self.part > 0 || is_one(&self.hemisphere) || self.sixtieths.iter().any(is_one)
+    }
+
     /// The column in TOML, which reads back to the bit; empty: the quantity has its own name.
     pub(crate) fn text(&self) -> String {
         let from = match &self.from {
@@ -98,6 +110,11 @@ impl LogColumn {
         }
         if self.hemisphere != ColumnFrom::OwnName {
             text += &format!(", hemisphere = {}", self.hemisphere.text());
+        }
+        for (part, from) in SIXTIETHS.iter().zip(&self.sixtieths) {
+            if *from != ColumnFrom::OwnName {
+                text += &format!(", {part} = {}", from.text());
+            }
         }
         text + " }"
     }

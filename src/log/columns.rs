@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use csv::StringRecord;
 
-use super::column::{ColumnFrom, LogColumn};
+use super::column::{ColumnFrom, LogColumn, SIXTIETHS};
 use super::guess::{Guess, guess, hemisphere_of};
 use super::mapping::{LogMapping, TimeFormat};
 use super::quantity::{
@@ -43,8 +43,17 @@ pub struct Column {
     pub is_ddmm: bool,
     /// Place of the letter of the hemisphere; `None`: it has none of its own.
     pub hemisphere: Option<usize>,
+    /// Places of its minutes and seconds.
+    pub sixtieths: [Option<usize>; 2],
     /// Name of the column.
     pub name: String,
+}
+
+impl Column {
+    /// Whether it reads the cells at a place.
+    pub fn reads(&self, place: usize) -> bool {
+        [self.place, self.hemisphere].iter().chain(&self.sixtieths).any(|its| *its == Some(place))
+    }
 }
 
 /// The columns of a log, by their quantities.
@@ -88,15 +97,17 @@ pub fn columns(header: &StringRecord, line: u64, mapping: &LogMapping) -> Result
     };
     let missing = (0..COUNT).filter(|&index| columns[index].is_none() && is_wanted(index));
     let missing: Vec<String> = missing.map(|index| missing_column(index, header)).collect();
-    let other = [(';', "semicolons"), ('\t', "tabs")]
+    let other = [(';', ("semicolons", "semicolon")), ('\t', ("tabs", "tab"))]
         .into_iter()
         .find(|(mark, _)| header.iter().any(|name| name.contains(*mark)));
     if missing.is_empty() {
         return Ok(columns);
     }
     let sentence = match other {
-        Some((_, marks)) => {
-            format!("columns separated by {marks}: expected commas between fields, and decimal points")
+        Some((_, (marks, word))) => {
+            format!(
+                "columns separated by {marks}: expected commas between fields, and decimal points, or separator = \"{word}\" in [log]"
+            )
         }
         None => {
             format!("missing columns: {}; the header has {}", missing.join(", "), listed(header.iter()))
@@ -127,6 +138,7 @@ fn own_column(header: &StringRecord, line: u64, quantity: usize) -> Result<Optio
             part: 0,
             is_ddmm: false,
             hemisphere: None,
+            sixtieths: [None; 2],
             name: name.to_owned(),
         });
     }
@@ -153,13 +165,26 @@ fn mapped_column(
     let unit = place.and_then(|place| unit_of_name(mapped, header.get(place)?, quantity));
     let [factor, offset] = mapped.factor_and_offset(quantity, unit.unwrap_or(mapped.unit));
     let hemisphere = place_of(header, line, &mapped.hemisphere, &format!("{key}.hemisphere"))?;
+    let sixtieth = |index: usize| {
+        place_of(header, line, &mapped.sixtieths[index], &format!("{key}.{}", SIXTIETHS[index]))
+    };
+    let sixtieths = [sixtieth(0)?, sixtieth(1)?];
     let (offset, name) = match &mapped.from {
         ColumnFrom::Name(name) => (offset, name.clone()),
         ColumnFrom::Number(number) => (offset, format!("column {number}")),
         ColumnFrom::Constant(value) => (value * factor + offset, key.to_owned()),
         ColumnFrom::OwnName => (offset, key.to_owned()),
     };
-    Ok(Column { place, factor, offset, part: mapped.part, is_ddmm: mapped.unit == DDMM, hemisphere, name })
+    Ok(Column {
+        place,
+        factor,
+        offset,
+        part: mapped.part,
+        is_ddmm: mapped.unit == DDMM,
+        hemisphere,
+        sixtieths,
+        name,
+    })
 }
 
 /// The unit that the name of a column states, if `[log]` states neither unit nor scale: another one than the quantity has anyway.
@@ -247,8 +272,7 @@ pub fn unread(header: &StringRecord, line: u64, columns: &Columns, mapping: &Log
         Some(Fault { line: line as usize, column: place + 1, sentence, ..Fault::default() })
     });
     let note = |(place, column): (usize, &str)| {
-        let is_it = |of: Option<usize>| of == Some(place);
-        let is_read = columns.iter().flatten().any(|column| is_it(column.place) || is_it(column.hemisphere));
+        let is_read = columns.iter().flatten().any(|column| column.reads(place));
         if let Some(quantity) = hemisphere_of(column).filter(|_| !is_read) {
             let key = QUANTITIES[quantity].key;
             let sentence = format!("{} is not read; is it log.{key}.hemisphere?", excerpt(column));

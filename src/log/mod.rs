@@ -27,6 +27,7 @@ pub mod smooth;
 mod smoothed;
 mod survey;
 mod text;
+mod unread;
 mod words;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
@@ -35,6 +36,7 @@ use crate::base::text::{About, Fault};
 use crate::judge::{Finding, Judge};
 use crate::truth::FlightSample;
 use smoothed::Smoothing;
+use unread::Unread;
 
 pub use clock::Clock;
 pub use column::{ColumnFrom, LogColumn};
@@ -45,7 +47,7 @@ pub use mapping::{LogMapping, Separator, TimeFormat};
 pub(crate) use quantity::{DDMM, Quantity, unit_of, units_of};
 pub use quantity::{QUANTITIES, column_of, quantity_of};
 pub use smoothed::RowOfPath;
-pub use survey::{Question, Survey, survey};
+pub use survey::{Question, Survey, nearest_names, survey};
 pub use text::decoded;
 
 /// Largest number of columns of a log, and of bytes of a line.
@@ -71,6 +73,8 @@ pub struct FlightLog {
     mapping: Option<Box<LogMapping>>,
     /// How its path is still to be smoothed; `None`: not at all.
     smoothing: Option<Smoothing>,
+    /// The columns of its motion that were not read, and the line of their names; none once they are compared with what flies.
+    unread: (Vec<Unread>, u64),
 }
 
 /// Why a text is not a valid log.
@@ -116,6 +120,7 @@ impl FlightLog {
             has_attitude: true,
             mapping: None,
             smoothing: None,
+            unread: (Vec::new(), 0),
         })
     }
 

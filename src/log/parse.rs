@@ -9,6 +9,7 @@ use super::reading::Reading;
 use super::record::Record;
 use super::rows::Cells;
 use super::text::decoded;
+use super::unread::Evidence;
 use super::{ColumnFrom, FlightLog, LogError, LogMapping, MAX_COLUMNS, Separator, fault};
 use crate::base::text::Fault;
 
@@ -46,7 +47,7 @@ impl FlightLog {
         let columns = columns(&names, 0, &mapping)?;
         let mut notes = vec![Fault { sentence: record.note.clone(), ..Fault::default() }];
         notes.extend(unread(&names, 0, &columns, &mapping));
-        let mut reading = Reading::new(String::new(), columns, notes, &mapping);
+        let mut reading = Reading::new(String::new(), columns, notes, &mapping, Evidence::none());
         let mut last = 0;
         for (numbers, line) in record.rows() {
             reading.row(Cells::Numbers(numbers), line)?;
@@ -75,9 +76,13 @@ impl FlightLog {
             columns(&names, line, mapping).map_err(|error| with_later_header(error, text, mapping))?;
         let notes = if has_names { unread(&names, line, &columns, mapping) } else { Vec::new() };
         let only = only_place(&names, line, mapping)?;
+        let evidence = match has_names {
+            true => Evidence::new(&names, line, &columns, mapping, only),
+            false => Evidence::none(),
+        };
         // The first comment of another program holds its own data.
         let title = if mapping.is_foreign() { String::new() } else { title(text, comment) };
-        let mut reading = Reading::new(title, columns, notes, mapping);
+        let mut reading = Reading::new(title, columns, notes, mapping, evidence);
         let header = Header {
             names: has_names.then(|| row.clone()),
             width: names.len(),

@@ -79,9 +79,12 @@ pub const QUANTITIES: [Quantity; 29] = [
 pub const OF_SAMPLE: usize = 17;
 
 /// The places of quantities that the readers of rows name.
+pub const TIME: usize = 0;
 pub const LATITUDE: usize = 1;
 pub const LONGITUDE: usize = 2;
+pub const HEIGHT: usize = 3;
 pub const ROLL: usize = 4;
+pub const HEADING: usize = 6;
 pub const VELOCITY: usize = 7;
 pub const RATE: usize = 10;
 pub const FORCE: usize = 13;

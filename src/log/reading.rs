@@ -3,6 +3,7 @@
 use super::columns::Columns;
 use super::marks::DecimalMarks;
 use super::rows::{Cells, Table};
+use super::unread::Evidence;
 use super::{Clock, FlightLog, LogError, LogMapping, fault};
 use crate::base::memory::room_for_one_more;
 use crate::base::text::{Fault, excerpt};
@@ -13,6 +14,8 @@ use crate::truth::FlightSample;
 pub struct Reading<'m> {
     table: Table<'m>,
     log: FlightLog,
+    /// The columns that are not read.
+    evidence: Evidence,
     /// Rows without a value: how many, and the line of the first.
     left_out: Option<(u64, u64)>,
     /// Rows of other vehicles.
@@ -24,7 +27,13 @@ pub struct Reading<'m> {
 }
 
 impl<'m> Reading<'m> {
-    pub fn new(title: String, columns: Columns, notes: Vec<Fault>, mapping: &'m LogMapping) -> Self {
+    pub fn new(
+        title: String,
+        columns: Columns,
+        notes: Vec<Fault>,
+        mapping: &'m LogMapping,
+        evidence: Evidence,
+    ) -> Self {
         let log = FlightLog {
             title,
             samples: Vec::new(),
@@ -35,11 +44,12 @@ impl<'m> Reading<'m> {
             has_attitude: !mapping.is_coordinated,
             mapping: None,
             smoothing: mapping.smoothing(),
+            unread: (Vec::new(), 0),
         };
         let is_mapped = mapping.is_foreign();
         let (clock, marks) = (Clock::new(mapping), DecimalMarks::new());
         let table = Table { columns, mapping, is_mapped, clock, marks };
-        Self { table, log, left_out: None, others: 0, repeats: 0, late: None }
+        Self { table, log, evidence, left_out: None, others: 0, repeats: 0, late: None }
     }
 
     /// Adds a note about the whole log.
@@ -86,7 +96,13 @@ impl<'m> Reading<'m> {
                 }
                 Ok(())
             }
-            _ => self.push(sample, line),
+            _ => {
+                self.push(sample, line)?;
+                match cells {
+                    Cells::Texts(row) => self.evidence.take(row, sample.time_s).map_err(LogError::Memory),
+                    Cells::Numbers(_) => Ok(()),
+                }
+            }
         }
     }
 
@@ -134,6 +150,7 @@ impl<'m> Reading<'m> {
             self.note(format!("{} {rows} left out: at the time of the row before", self.repeats));
         }
         let mut log = self.log;
+        log.unread = self.evidence.finish();
         if let Some((count, line, time_s)) = self.late {
             let at = At { row: log.samples.partition_point(|sample| sample.time_s < time_s) as u64, time_s };
             let rows = count + log.samples.len() as u64;

@@ -6,6 +6,7 @@ use csv::StringRecord;
 use nalgebra::{Quaternion, Vector3};
 
 use super::clock::Clock;
+use super::column::SIXTIETHS;
 use super::columns::{COUNT, Column, Columns, has, has_quaternion};
 use super::hemisphere::{sides, signed};
 use super::marks::DecimalMarks;
@@ -192,12 +193,44 @@ fn number_of(
         let sentence = format!("{name}: expected {what}, found \"{}\"{hint}", excerpt(text));
         return Err(fault(line, place + 1, sentence));
     }
+    if column.sixtieths[0].is_some() {
+        return number.map_or(Ok(None), |degrees| with_sixtieths(degrees, row, line, column, mapping));
+    }
     if !column.is_ddmm {
         return Ok(number);
     }
     let degrees = number.and_then(of_degrees_and_minutes);
     let refused = || format!("{name}: expected degrees and minutes, as 4718.25, found \"{}\"", excerpt(text));
     degrees.ok_or_else(|| fault(line, place + 1, refused())).map(Some)
+}
+
+/// Degrees with their minutes and seconds in other columns; `None`: one is missing.
+fn with_sixtieths(
+    degrees: f64,
+    row: &StringRecord,
+    line: u64,
+    column: &Column,
+    mapping: &LogMapping,
+) -> Result<Option<f64>, LogError> {
+    let mut size = degrees.abs();
+    for (place, (part, what)) in column.sixtieths.iter().zip([(60.0, SIXTIETHS[0]), (3600.0, SIXTIETHS[1])]) {
+        let Some(place) = *place else { continue };
+        let text = row.get(place).unwrap_or_default();
+        if is_missing(text, mapping.missing) {
+            return Ok(None);
+        }
+        let Some(value) = number(text, mapping.separator).filter(|value| (0.0..60.0).contains(value)) else {
+            let sentence = format!(
+                "{}: expected {what} from 0 to less than 60, found \"{}\"",
+                column.name,
+                excerpt(text)
+            );
+            return Err(fault(line, place + 1, sentence));
+        };
+        size += value / part;
+    }
+    // -0 degrees are negative too.
+    Ok(Some(size.copysign(degrees)))
 }
 
 /// Degrees from degrees and minutes, as 4718.25; `None`: there are 60 minutes or more.

@@ -53,12 +53,13 @@ impl LogMapping {
 
 impl FlightLog {
     /// The path of [`Smoothed`] through its samples, sampled at [`LogMapping::smooth_rate_hz`]. Its notes say what was done. A log that is
-    /// not to be smoothed is its own path.
+    /// not to be smoothed is its own path. What flies is compared with the columns that are not read.
     pub fn smoothed(self, earth: &Earth) -> Result<Self, LogError> {
-        match self.smoothing {
-            Some(smoothing) => self.through_rows(earth, &smoothing),
-            None => Ok(self),
-        }
+        let flown = match self.smoothing {
+            Some(smoothing) => self.through_rows(earth, &smoothing)?,
+            None => self,
+        };
+        Ok(flown.compared())
     }
 
     fn through_rows(&self, earth: &Earth, smoothing: &Smoothing) -> Result<Self, LogError> {
@@ -122,6 +123,7 @@ impl FlightLog {
             has_attitude: self.has_attitude,
             mapping: self.mapping.clone(),
             smoothing: None,
+            unread: self.unread.clone(),
         })
     }
 }

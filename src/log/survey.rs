@@ -5,7 +5,8 @@ mod evidence;
 mod formats;
 mod height;
 mod letters;
-mod motion;
+pub(super) mod motion;
+mod near;
 mod position;
 mod quaternion;
 mod times;
@@ -20,6 +21,8 @@ use super::quantity::{Dimension, QUANTITIES, unit_of};
 use super::text::decoded;
 use super::{Clock, LogMapping, Separator, TimeFormat};
 use crate::base::text::{MAX_TEXT_VALUE, excerpt, text_in_quotes};
+
+pub use near::nearest_names;
 
 /// What a table has.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,10 +82,12 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
         Some(known) => draft.of_known(known),
         None => draft.guess(),
     }
+    if known.is_none() {
+        draft.minutes_apart();
+    }
     draft.position(known.is_some());
     if known.is_none() {
         draft.letters();
-        draft.minutes_apart();
         draft.attitude();
         draft.quaternion();
     }
@@ -103,6 +108,8 @@ struct Place {
     unit: &'static str,
     /// The part of its cells, from 1; 0: all of them.
     part: usize,
+    /// The columns of its minutes and seconds.
+    sixtieths: [Option<usize>; 2],
 }
 
 /// The keys of `[log]`, while they are found.
@@ -157,7 +164,13 @@ impl Draft<'_> {
             QUANTITIES.iter().find(|quantity| quantity.key == key).map(|quantity| quantity.dimension);
         let unit = Some(unit).filter(|unit| !unit.is_empty());
         let unit = unit.zip(dimension).and_then(|(unit, dimension)| unit_of(dimension, unit));
-        self.places.push(Place { key, place, unit: unit.map_or("", |(unit, _)| unit), part: 0 });
+        self.places.push(Place {
+            key,
+            place,
+            unit: unit.map_or("", |(unit, _)| unit),
+            part: 0,
+            sixtieths: [None; 2],
+        });
     }
 
     fn doubt(&mut self, sentence: impl Into<String>) {
@@ -170,7 +183,7 @@ impl Draft<'_> {
             if let Value::Column { name: column, unit, part, .. } = *value {
                 let place = self.grid.names.iter().position(|name| name == column);
                 let Some(place) = place.filter(|_| self.value(key).is_none()) else { continue };
-                self.places.push(Place { key, place, unit, part });
+                self.places.push(Place { key, place, unit, part, sixtieths: [None; 2] });
             }
             self.set(key, value.text());
         }

@@ -89,12 +89,26 @@ pub fn column_of(value: &Value, quantity: usize) -> Result<LogColumn, String> {
             }
             ("part", Value::Whole(number @ 1..=100)) => column.part = *number as usize,
             ("part", _) => return Err(expected("a part of a cell, from 1 to 100")),
-            ("hemisphere", _) if sides(quantity).is_none() => {
+            ("hemisphere" | "minutes" | "seconds", _) if sides(quantity).is_none() => {
                 return Err(format!("log.{key}.{part}: only latitude and longitude have one"));
             }
             ("hemisphere", value) => column.hemisphere = place(part, value)?,
+            ("minutes", value) => column.sixtieths[0] = place(part, value)?,
+            ("seconds", value) => column.sixtieths[1] = place(part, value)?,
             _ => {
-                let names = ["col", "value", "unit", "sign", "scale", "add", "file", "part", "hemisphere"];
+                let names = [
+                    "col",
+                    "value",
+                    "unit",
+                    "sign",
+                    "scale",
+                    "add",
+                    "file",
+                    "part",
+                    "hemisphere",
+                    "minutes",
+                    "seconds",
+                ];
                 let near = nearest(part, names.into_iter())
                     .map_or(String::new(), |near| format!("; did you mean {near}?"));
                 let names = listed(names.into_iter());
@@ -105,9 +119,15 @@ pub fn column_of(value: &Value, quantity: usize) -> Result<LogColumn, String> {
     if column.from == ColumnFrom::OwnName {
         return Err(format!("log.{key}: expected its col or its value"));
     }
-    let is_of_cells = column.part > 0 || column.hemisphere != ColumnFrom::OwnName || !column.file.is_empty();
+    let is_of_cells = column.is_of_cells() || !column.file.is_empty();
     if matches!(column.from, ColumnFrom::Constant(_)) && is_of_cells {
         return Err(format!("log.{key}: a value has no file, no part and no hemisphere; give its col"));
+    }
+    let has_seconds_alone =
+        column.sixtieths[0] == ColumnFrom::OwnName && column.sixtieths[1] != ColumnFrom::OwnName;
+    let is_of_degrees = column.unit.is_empty() || column.unit == "deg";
+    if has_seconds_alone || column.sixtieths[0] != ColumnFrom::OwnName && !is_of_degrees {
+        return Err(format!("log.{key}: seconds stand beside minutes, and minutes beside degrees"));
     }
     Ok(column)
 }

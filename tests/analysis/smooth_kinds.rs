@@ -8,7 +8,7 @@ use sins::log::smooth::{SmoothOptions, Smoothed};
 use sins::math::{Euler, wrap_angle};
 use sins::truth::FlightSample;
 
-use crate::judge::faults::{Draws, each, move_by, noisy};
+use crate::judge::faults::{Draws, each, float32, move_by, noisy};
 use crate::judge::flights::{Good, Samples, drone_over_one_place, scene, vehicle, without_velocities};
 use crate::support::DEG;
 
@@ -208,6 +208,25 @@ fn jumps_of_a_filter_are_taken_out() {
     }
     for rows in [noisy(&flight.samples, 0.5), without_velocities(&flight.samples)] {
         assert_eq!(smoothed(&rows).corrections, None);
+    }
+}
+
+/// A filter whose latitudes and longitudes are 32-bit floats: their steps hide the jumps, which the heights show.
+#[test]
+fn jumps_of_heights_are_taken_out_beside_coarse_positions() {
+    let flight: Good = vehicle("unmanned aircraft", 50.0, |t| {
+        let heading = 0.3 + 0.8 * (0.06 * t).sin();
+        let v = Vector3::new(20.0 * heading.sin(), 20.0 * heading.cos(), (0.1 * t).sin());
+        (v, Euler { roll: 0.1 * (0.06 * t).cos(), pitch: 0.03, heading })
+    });
+    for seed in 1..4 {
+        let rows = float32(&filtered(&flight.samples[..6000], 50, seed));
+        let path = smoothed(&rows);
+        let (count, interval_s) = path.corrections.unwrap();
+        let error = acceleration(&flight.samples, &path);
+        println!("{count} jumps, {interval_s} s: {error:?}");
+        assert!((100..=125).contains(&count) && (interval_s - 1.0).abs() < 0.05, "{count}, {interval_s} s");
+        assert!(error.z < 0.4, "{error:?}");
     }
 }
 

@@ -259,7 +259,7 @@ fn columns_read_back_as_they_are_written() {
         ("height = { col = \"A\", add = \"x\" }", "log.height.add: expected a number"),
         (
             "height = { colum = \"A\" }",
-            "log.height: no such part: colum; expected col, value, unit, sign, scale, add, file, part, hemisphere; did you mean col?",
+            "log.height: no such part: colum; expected col, value, unit, sign, scale, add, file, part, hemisphere, minutes, seconds; did you mean col?",
         ),
         ("hieght = \"A\"", "did you mean height?"),
         ("separator = \",\"", "expected comma, semicolon, tab, bar, blanks"),

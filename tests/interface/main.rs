@@ -36,4 +36,6 @@ mod scene_settings;
 mod scene_text;
 #[cfg(feature = "scenes")]
 mod scene_values;
+#[cfg(feature = "scenes")]
+mod unread_columns;
 mod versions;

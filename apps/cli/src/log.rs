@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use sins::judge::Level;
-use sins::log::{FlightLog, Question, survey};
+use sins::log::{FlightLog, Question, nearest_names, survey};
 use sins::scene::Scene;
 use sins::units::DEG;
 
@@ -181,7 +181,8 @@ fn write_map(order: &Order, table: &[u8], path: &Path) -> Result<(), Failure> {
     let file = order.file.display();
     let Some(mut found) = survey(table) else {
         let what = "no line at its beginning has known names of time, latitude and longitude: write a [log] with the names of the columns, as latitude = \"Y\", or, where no line has names, header = 0 and their numbers, as latitude = { col = 2 }";
-        return Err(Failure::of_file(&order.file, &what));
+        let names = nearest_names(table).map_or(String::new(), |names| format!("; {names}"));
+        return Err(Failure::of_file(&order.file, &format!("{what}{names}")));
     };
     siblings::add(&order.file, &mut found);
     let format = found

@@ -4,7 +4,7 @@ mod fdr;
 mod gpx;
 mod igc;
 
-use super::column::{ColumnFrom, LogColumn};
+use super::column::LogColumn;
 use super::foreign::Foreign;
 use super::mapping::LogMapping;
 use super::{LogError, fault};
@@ -78,7 +78,6 @@ impl Record {
     /// The mapping with what a record needs: its path is smoothed, and its attitude is that of a coordinated flight unless the record or
     /// the mapping has another. A fault names what only a table has.
     pub fn complete(&self, mapping: &LogMapping) -> Result<LogMapping, LogError> {
-        let is_of_table = |column: &LogColumn| column.part > 0 || column.hemisphere != ColumnFrom::OwnName;
         let LogMapping { columns, is_track_magnetic, missing, .. } = mapping;
         let kept = LogMapping {
             columns: columns.clone(),
@@ -86,8 +85,8 @@ impl Record {
             missing: *missing,
             ..mapping.of_own_columns()
         };
-        if kept != *mapping || columns.iter().any(is_of_table) {
-            let what = "log: a flight record is no table: it has no lines, separators, comments, formats of times, parts and hemispheres";
+        if kept != *mapping || columns.iter().any(LogColumn::is_of_cells) {
+            let what = "log: a flight record is no table: it has no lines, separators, comments, formats of times, parts, minutes and hemispheres";
             return Err(fault(0, 1, what.to_owned()));
         }
         let has_attitude = self.names.iter().any(|name| name.starts_with("roll"));

@@ -111,6 +111,17 @@ pub(super) fn without_jumps(
     Ok(Some(Corrections { places: drifting, count: jumps.len() as u64, interval_s }))
 }
 
+/// The same of the heights alone.
+pub(super) fn without_jumps_of_heights(
+    times_s: &[f64],
+    places: &[Place],
+    step_m: f64,
+) -> Result<Option<Corrections>, Error> {
+    let mut heights: Vec<Place> = room(places.len())?;
+    heights.extend(places.iter().map(|place| [0.0, 0.0, 0.0, place[3]]));
+    without_jumps(times_s, &heights, step_m)
+}
+
 /// For each row from `SIDE` on, what the path jumps by before it; 0 where the rows are not even.
 fn differences(times_s: &[f64], places: &[Place], period_s: f64) -> Result<Vec<Place>, Error> {
     let mut list: Vec<Place> = room(places.len())?;

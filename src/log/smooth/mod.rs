@@ -25,6 +25,7 @@ use crate::earth::{Earth, Geodetic};
 use crate::judge::Finding;
 use crate::truth::FlightSample;
 use fit::{Curve, Samples};
+use jumps::Corrections;
 use rows::Rows;
 
 /// Acceleration that the steps of the heights may leave [m/s²].
@@ -59,6 +60,9 @@ const MOST_OF_SHORT: f64 = 0.1;
 /// Largest cut-off of the path of a filter, in rates of its corrections: of what alternates from one to the next, at half that rate, it
 /// leaves a tenth.
 const CORRECTED: f64 = 0.35;
+
+/// Share of the rows on which the heights of a filter are new: rounding repeats some.
+const LIVE: f64 = 0.99;
 
 /// How rows become a path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -133,10 +137,24 @@ impl Smoothed {
         let is_live = rows.places.len() == samples.len();
         let step_m = horizontal_m.max(up_m);
         let corrections = if is_live { jumps::without_jumps(times_s, &places, step_m)? } else { None };
-        let is_corrected = corrections.as_ref().map(|found| (found.count, found.interval_s));
-        let corrected_hz = is_corrected.map_or(f64::INFINITY, |(_, interval_s)| CORRECTED / interval_s);
+        // Horizontal positions of few digits hide their jumps, and not those of the heights.
+        let has_heights = rows.heights.len() as f64 >= LIVE * samples.len() as f64;
+        let of_heights = match &corrections {
+            None if has_heights => jumps::without_jumps_of_heights(times_s, &places, up_m)?,
+            _ => None,
+        };
+        let said = |found: &Corrections| (found.count, found.interval_s);
+        let capped_hz = |found: &Option<Corrections>| {
+            found.as_ref().map_or(f64::INFINITY, |found| CORRECTED / found.interval_s)
+        };
+        let corrected_hz = capped_hz(&corrections);
+        let heights_hz = corrected_hz.min(capped_hz(&of_heights));
+        let is_corrected = corrections.as_ref().or(of_heights.as_ref()).map(said);
         if let Some(found) = corrections {
             places = found.places;
+        }
+        if let Some(found) = of_heights {
+            places.iter_mut().zip(&found.places).for_each(|(place, found)| place[3] = found[3]);
         }
         let placed_s = times_of(times_s, &rows.places)?;
         let mut normals = room(placed_s.len())?;
@@ -158,7 +176,7 @@ impl Smoothed {
         let mut heights = room(climbed_s.len())?;
         heights.extend(rows.heights.iter().map(|&row| [places[row][3]]));
         let period_s = fit::median(climbed_s.windows(2).map(|two| two[1] - two[0]))?;
-        let cap_hz = step_cutoff_hz(up_m, period_s).min(corrected_hz);
+        let cap_hz = step_cutoff_hz(up_m, period_s).min(heights_hz);
         let heights = Curve::through(&Samples {
             times_s: &climbed_s,
             values: &heights,

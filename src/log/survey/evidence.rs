@@ -6,13 +6,10 @@ use super::super::hemisphere::signed;
 use super::super::quantity::{Dimension, LATITUDE, LONGITUDE, unit_of, units_of};
 use super::super::rows::{is_missing, number, part_of};
 use super::super::{TimeFormat, sides};
-use super::motion::{Motion, Row};
+use super::motion::{Motion, Row, SLOWEST_UNIT};
 use super::{Draft, Question, clock};
 use crate::base::math::{atan2, hypot};
 use crate::base::text::nearest;
-
-/// The units that a speed over ground has which states none are those from km/h on \[m/s\]: with mm/s times in ms would be times in s.
-const SLOWEST_UNIT: f64 = 0.27;
 
 /// Largest number of columns that a question names.
 const MOST: usize = 3;
@@ -112,7 +109,14 @@ impl Draft<'_> {
         let found = self.found(key)?;
         let cell = part_of(cells.get(found.place)?, found.part).filter(|cell| !is_missing(cell, None))?;
         let letter = letter.map(|place| (place, cells.get(place).unwrap_or_default()));
-        signed((found.place, cell), letter, sides(quantity)?, self.grid.separator).ok().flatten()
+        let degrees =
+            signed((found.place, cell), letter, sides(quantity)?, self.grid.separator).ok().flatten()?;
+        let mut size = degrees.abs();
+        for (place, part) in found.sixtieths.iter().zip([60.0, 3600.0]) {
+            let Some(place) = *place else { continue };
+            size += number(cells.get(place)?, self.grid.separator)? / part;
+        }
+        Some(size.copysign(degrees))
     }
 
     /// Asks for the column of a quantity, and names those whose names are near.

@@ -1,18 +1,22 @@
 //! Positions that stand in several columns: letters of hemispheres, and minutes apart from their degrees.
 
+use super::super::column::SIXTIETHS;
 use super::super::guess::hemisphere_of;
 use super::super::hemisphere::{Sides, sides, sign_of};
 use super::super::quantity::{LATITUDE, LONGITUDE};
 use super::super::rows::number;
 use super::super::words::words;
+use super::motion::READINGS;
+use super::times::SPEEDS;
 use super::{Draft, Question, largest};
 use crate::base::text::excerpt;
 
 /// Key, quantity and beginning of the names of each part of a position.
 const PARTS: [(&str, usize, &str); 2] = [("latitude", LATITUDE, "lat"), ("longitude", LONGITUDE, "lon")];
 
-/// Words of the names of columns with the minutes or seconds of an angle.
-const MINUTES: [&str; 9] = ["min", "mins", "minute", "minutes", "arcmin", "sec", "secs", "second", "seconds"];
+/// Words of the names of columns with the minutes, and with the seconds, of an angle.
+const MINUTES: [&str; 5] = ["min", "mins", "minute", "minutes", "arcmin"];
+const SECONDS: [&str; 5] = ["sec", "secs", "second", "seconds", "arcsec"];
 
 impl Draft<'_> {
     /// The column with the letters of the hemisphere of a quantity in column `place`, if its numbers have not their signs anyway.
@@ -133,32 +137,76 @@ impl Draft<'_> {
         self.numbers(key).is_some_and(|numbers| numbers.iter().all(|number| *number >= 0.0))
     }
 
-    /// Asks about whole degrees beside a column that may have their minutes.
+    /// Takes whole degrees beside columns of their minutes and seconds together where the path is then one of a vehicle, and asks about
+    /// them otherwise.
     pub(super) fn minutes_apart(&mut self) {
-        let grid = self.grid;
-        for (key, _, begin) in PARTS {
-            let Some(place) = self.place(key).filter(|_| self.value(key).is_some()) else { continue };
-            let degrees = grid.numbers(place);
-            let is_whole = degrees.iter().all(|number| number.fract() == 0.0) && largest(&degrees) <= 180.0;
-            let is_minutes = |other: &usize| {
-                let name = &grid.names[*other];
-                let is_near = *other == place + 1 || name.to_lowercase().contains(begin);
-                let numbers = grid.numbers(*other);
-                is_near
-                    && self.places.iter().all(|found| found.place != *other)
-                    && words(name).iter().any(|word| MINUTES.contains(&word.as_str()))
-                    && !numbers.is_empty()
-                    && largest(&numbers) <= 60.0
-            };
-            let Some(other) = (0..grid.names.len()).find(is_minutes).filter(|_| is_whole) else { continue };
-            let [name, minutes] = [place, other].map(|place| excerpt(&grid.names[place]));
+        let found = PARTS.map(|(key, _, begin)| self.sixtieths(key, begin));
+        if let [Some(latitude), Some(longitude)] = found {
+            for ((key, ..), sixtieths) in PARTS.into_iter().zip([latitude, longitude]) {
+                self.set_sixtieths(key, sixtieths);
+            }
+            let motion = self.motion().filter(|motion| motion.is_timed && self.value("time").is_some());
+            let is_of_vehicle = motion.is_some_and(|motion| {
+                let speed = motion.speed(&READINGS[0], false, self.time_si());
+                motion.is_at_rest() || speed.is_some_and(|speed| SPEEDS.contains(&speed))
+            });
+            if is_of_vehicle {
+                return PARTS
+                    .iter()
+                    .zip([latitude, longitude])
+                    .for_each(|((key, ..), its)| self.take_sixtieths(key, its));
+            }
+            PARTS.iter().for_each(|(key, ..)| self.set_sixtieths(key, [None; 2]));
+        }
+        for ((key, ..), sixtieths) in PARTS.into_iter().zip(found) {
+            let (Some([Some(minutes), _]), Some(place)) = (sixtieths, self.place(key)) else { continue };
+            let [name, minutes] = [place, minutes].map(|place| excerpt(&self.grid.names[place]));
             let sentence = format!(
-                "{name} has whole degrees in each row: are their minutes in {minutes}? Write both into one column then, as 47.305, or as 4718.3 with unit = \"ddmm\""
+                "{name} has whole degrees in each row: are their minutes in {minutes}? Then give its part minutes, as {{ col = {name}, minutes = {minutes} }}"
             );
             let answers = vec![format!("{key} = {}  # whole degrees", self.column(place, ""))];
             self.remove(key);
             self.ask(Question { sentence, answers });
         }
+    }
+
+    /// The columns of the minutes and the seconds of whole degrees; `None`: there are none.
+    fn sixtieths(&self, key: &str, begin: &str) -> Option<[Option<usize>; 2]> {
+        let grid = self.grid;
+        let place = self.place(key).filter(|_| self.value(key).is_some())?;
+        let degrees = grid.numbers(place);
+        let is_whole = degrees.iter().all(|number| number.fract() == 0.0) && largest(&degrees) <= 180.0;
+        let column = |behind: usize, spellings: &[&str]| {
+            let is_it = |other: &usize| {
+                let name = &grid.names[*other];
+                let is_near = *other == place + behind || name.to_lowercase().contains(begin);
+                let numbers = grid.numbers(*other);
+                is_near
+                    && self.places.iter().all(|found| found.place != *other)
+                    && words(name).iter().any(|word| spellings.contains(&word.as_str()))
+                    && !numbers.is_empty()
+                    && largest(&numbers) <= 60.0
+            };
+            (0..grid.names.len()).find(is_it)
+        };
+        let minutes = column(1, &MINUTES).filter(|_| is_whole)?;
+        Some([Some(minutes), column(2, &SECONDS)])
+    }
+
+    fn set_sixtieths(&mut self, key: &str, sixtieths: [Option<usize>; 2]) {
+        let found = self.places.iter_mut().filter(|found| found.key == key);
+        found.for_each(|found| found.sixtieths = sixtieths);
+    }
+
+    /// Reads the minutes and seconds of a quantity, and says so.
+    fn take_sixtieths(&mut self, key: &str, sixtieths: [Option<usize>; 2]) {
+        let Some(mut value) = self.value(key).map(str::to_owned) else { return };
+        for (part, place) in SIXTIETHS.iter().zip(sixtieths) {
+            let Some(place) = place else { continue };
+            value = with_part(&value, &format!("{part} = {}", self.named_or_numbered(place)));
+            self.doubt(format!("{} is taken as the {part} of the {key}", excerpt(&self.grid.names[place])));
+        }
+        self.replace(key, value);
     }
 }
 
@@ -179,8 +227,9 @@ pub fn with_part(value: &str, part: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::LogError;
+    use super::super::super::{FlightLog, LogError};
     use super::super::conventions::{Row, assert_asks, doubts_of, errors, flight, look, table};
+    use crate::scene::Scene;
 
     /// The flight in the south-west without signs, with the cells of more columns before and behind.
     fn text(names: &str, row: impl Fn(usize, [String; 2]) -> String) -> (String, Vec<Row>) {
@@ -247,18 +296,82 @@ mod tests {
     }
 
     #[test]
-    fn whole_degrees_beside_minutes_are_asked_about() {
-        let rows = flight(47.3, 8.4);
-        for names in
-            ["lat deg,lat min,lon deg,lon min", "lat,minutes,lon,min", "Lat (deg),LatMin,Lon (deg),LonMin"]
-        {
-            let apart = |degrees: f64| format!("{},{:.6}", degrees.trunc(), degrees.fract() * 60.0);
-            let text = table(&format!("t,{names},alt (m)"), &rows, |_, row| {
-                format!("{:.1},{},{},{:.3}", row[0], apart(row[1]), apart(row[2]), row[3])
-            });
-            let found = assert_asks(&text, "are their minutes in");
-            assert_eq!(found.questions.len(), 2, "{found:?}");
+    fn degrees_minutes_and_seconds_apart_are_read_where_a_vehicle_moves() {
+        for [latitude, longitude] in [[47.3, 8.4], [-33.9, -70.6], [0.001, -0.002]] {
+            let rows = flight(latitude, longitude);
+            for (names, count, letters) in [
+                ("lat deg,lat min,lon deg,lon min", 2, false),
+                ("lat,minutes,lon,min", 2, false),
+                ("Lat (deg),LatMin,Lon (deg),LonMin", 2, false),
+                ("lat_deg,lat_min,lat_sec,lon_deg,lon_min,lon_sec", 3, false),
+                ("lat_deg,lat_min,lat_sec,N/S,lon_deg,lon_min,lon_sec,E/W", 3, true),
+            ] {
+                let apart = |degrees: f64, sides: [&str; 2]| {
+                    let (size, is_negative) = (degrees.abs(), degrees < 0.0);
+                    let minutes = size.fract() * 60.0;
+                    let sign = if is_negative && !letters { "-" } else { "" };
+                    let first = format!("{sign}{}", size.trunc());
+                    let parts = match count {
+                        2 => format!("{first},{minutes:.8}"),
+                        _ => format!("{first},{},{:.6}", minutes.trunc(), minutes.fract() * 60.0),
+                    };
+                    let letter = sides[usize::from(is_negative)];
+                    if letters { format!("{parts},{letter}") } else { parts }
+                };
+                let text = table(&format!("t,{names},alt (m)"), &rows, |_, row| {
+                    let [latitude, longitude] = [apart(row[1], ["N", "S"]), apart(row[2], ["E", "W"])];
+                    format!("{:.1},{latitude},{longitude},{:.3}", row[0], row[3])
+                });
+                let (found, samples) = look(&text);
+                assert!(errors(&samples.unwrap(), &rows).0 < 0.05, "{names}: {found:?}");
+                assert!(doubts_of(&found, "is taken as the minutes of the latitude"), "{found:?}");
+            }
         }
+    }
+
+    #[test]
+    fn minutes_beyond_their_range_are_refused_at_their_cell() {
+        let read = |cells: &str| {
+            let text = "[flight]\nfile = \"a.csv\"\n[log]\ntime = \"t\"\nlatitude = { col = \"d\", minutes = \"m\", seconds = \"s\" }\nlongitude = 8\nheight = 0\nroll = 0\npitch = 0\nheading = 0\n";
+            let scene = Scene::parse(text.as_bytes()).unwrap();
+            assert_eq!(Scene::parse(scene.write().as_bytes()).unwrap().log, scene.log);
+            FlightLog::parse_with(
+                format!("t,d,m,s\n0,{cells}\n1,{cells}\n2,-0,30,36\n").as_bytes(),
+                &scene.log,
+            )
+        };
+        let log = read("47,18,15").unwrap();
+        let degrees = [0, 2].map(|row| log.samples()[row].place.latitude_rad.to_degrees());
+        assert!(
+            (degrees[0] - (47.0 + 18.0 / 60.0 + 15.0 / 3600.0)).abs() < 1e-12
+                && (degrees[1] + 0.51).abs() < 1e-12,
+            "{degrees:?}"
+        );
+        assert!(read("47,,15").is_err());
+        for (cells, column, words) in [
+            ("47,60,0", 3, "expected minutes"),
+            ("47,18,-1", 4, "expected seconds"),
+            ("47,x,1", 3, "found \"x\""),
+        ] {
+            let Err(LogError::Fault(fault)) = read(cells) else { panic!("{cells}") };
+            assert!((fault.line, fault.column) == (2, column) && fault.sentence.contains(words), "{fault:?}");
+        }
+        for more in ["seconds = \"s\"", "minutes = \"m\", unit = \"rad\""] {
+            let text = format!("[flight]\nfile = \"a.csv\"\n[log]\nlatitude = {{ col = \"d\", {more} }}\n");
+            let faults = Scene::parse(text.as_bytes()).unwrap_err();
+            assert!(faults[0].sentence.contains("seconds stand beside minutes"), "{faults:?}");
+        }
+    }
+
+    #[test]
+    fn whole_degrees_beside_minutes_of_no_vehicle_are_asked_about() {
+        let rows = flight(47.3, 8.4);
+        // Minutes that jump.
+        let text = table("t,lat deg,lat min,lon deg,lon min,alt (m)", &rows, |index, row| {
+            format!("{:.1},47,{},8,{},{:.3}", row[0], (index * 37) % 60, (index * 23) % 60, row[3])
+        });
+        let found = assert_asks(&text, "are their minutes in");
+        assert_eq!(found.questions.len(), 2, "{found:?}");
         // Degrees with decimals need none.
         let text = table("t,lat,min,lon,alt (m)", &rows, |_, row| {
             format!("{:.1},{:.8},3,{:.8},{:.3}", row[0], row[1], row[2], row[3])

@@ -21,6 +21,9 @@ pub const COURSE_FITS_DEG: f64 = 25.0;
 /// At rest a step goes on in the direction of the one before by less than this part of it, in the mean of squares.
 const ONWARD: f64 = 0.3;
 
+/// The units that a speed over ground has which states none are those from km/h on \[m/s\]: with mm/s times in ms would be times in s.
+pub const SLOWEST_UNIT: f64 = 0.27;
+
 /// A reading is impossible if more than one in so many rows is nowhere on the Earth.
 const FEWEST_LOST: usize = 100;
 
@@ -142,14 +145,12 @@ impl Motion {
         let step = |rows: &[Row]| {
             let [from, to] = [rows.first()?, rows.last()?];
             let [a, b] = [self.place(from, reading, is_exchanged)?, self.place(to, reading, is_exchanged)?];
-            let (_, cosine) = sin_cos(0.5 * (a[0] + b[0]) * DEG);
-            let north = (b[0] - a[0]) * DEG;
-            let east = wrap_angle((b[1] - a[1]) * DEG) * cosine;
+            let (way_m, track) = way(a, b);
             let said =
                 rows.windows(2).map(|two| 0.5 * (two[0].speed + two[1].speed) * (two[1].time - two[0].time));
             Some(Step {
-                way_m: RADIUS_M * hypot(north, east),
-                track: atan2(east, north),
+                way_m,
+                track,
                 said: said.sum(),
                 course: rows[rows.len() / 2].course,
                 heading: rows[rows.len() / 2].heading,
@@ -229,6 +230,14 @@ impl Motion {
         let course_deg = fit.course_deg.unwrap_or(0.0);
         (speed < SPEED_FITS && course_deg < COURSE_FITS_DEG).then_some(speed + course_deg * DEG)
     }
+}
+
+/// The way [m] and the track [rad] from one place to another one near it, latitudes and longitudes in degrees.
+pub fn way(from: [f64; 2], to: [f64; 2]) -> (f64, f64) {
+    let (_, cosine) = sin_cos(0.5 * (from[0] + to[0]) * DEG);
+    let north = (to[0] - from[0]) * DEG;
+    let east = wrap_angle((to[1] - from[1]) * DEG) * cosine;
+    (RADIUS_M * hypot(north, east), atan2(east, north))
 }
 
 /// The median angle between the track and another direction, of steps in motion \[rad\].

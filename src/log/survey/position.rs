@@ -95,7 +95,10 @@ impl Draft<'_> {
     fn column_of_position(&self, key: &str, place: usize, reading: &Reading) -> String {
         let of_name = self.place(key) == Some(place);
         let part = self.value(key).filter(|_| of_name).and_then(|value| {
-            let at = value.find(", part = ").or_else(|| value.find(", hemisphere = "))?;
+            let at = value
+                .find(", part = ")
+                .or_else(|| value.find(", hemisphere = "))
+                .or_else(|| value.find(", minutes = "))?;
             value.get(at..)?.strip_suffix(" }")
         });
         self.column(place, &format!("{}{}", reading.part, part.unwrap_or("")))

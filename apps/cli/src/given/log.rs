@@ -3,12 +3,13 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use sins::log::{FilesError, FlightLog, LogError, LogMapping, survey};
+use sins::log::{FilesError, FlightLog, LogError, LogMapping, foreign, survey};
 use sins::scene::Scene;
 
 use super::beside::beside;
 use super::file::reject_device;
 use super::kind::{FileKind, is_record};
+use super::text::is_log;
 use crate::failure::Failure;
 use crate::terminal::quoted;
 
@@ -52,13 +53,19 @@ fn unread(path: &Path, bytes: &[u8], mapping: &LogMapping, error: LogError) -> F
         let what = format!("is {kind}: expected a flight log, a table of comma-separated values");
         return Failure::of_line(path, 1, &what);
     }
-    let is_about_columns = error.is_about_columns() && mapping.columns == LogMapping::default().columns;
+    // Tables of other programs begin with lines of their own.
+    let is_of_columns = error.is_about_columns() || is_plain && foreign(bytes).is_some();
+    let may_help = is_of_columns && mapping.columns == LogMapping::default().columns;
     let failure = of_log(path, error);
-    if !is_about_columns || is_record(bytes) || path == Path::new("-") || survey(bytes).is_none() {
+    if !may_help || is_record(bytes) || path == Path::new("-") || survey(bytes).is_none() {
         return failure;
     }
     let file = quoted(path);
-    Failure::new(format!("{failure}\n`sins log {file} --map columns.toml` looks for the columns"))
+    // The name of a table that does not end in .csv would be that of a scene.
+    let option = if is_log(path.as_os_str()) { "" } else { "--log " };
+    Failure::new(format!(
+        "{failure}\n`sins log {file} --map columns.toml` finds its columns, and `sins fly {option}{file} --columns columns.toml` flies it"
+    ))
 }
 
 /// The failure about a log at `path`.

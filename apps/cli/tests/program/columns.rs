@@ -150,6 +150,21 @@ fn an_error_about_columns_names_the_command_that_finds_them() {
     let (code, said, _) = run(&folder, &order);
     assert!(code == 0 && said.contains("`sins report \"sins_out/my flight.csv\"`"), "{said}");
 
+    // Those of other programs begin with lines of their own, and their names say what they are.
+    let table = "#airframe_info,log_version=\"1.00\"\n#yyy-mm-dd, hh:mm:ss\n  Lcl Date, Lcl Time, Latitude, Longitude, AltMSL, GndSpd, VSpd, Pitch, Roll, HDG, TRK\n\
+        2024-05-01, 10:00:00, 47.1, 8.1, 1000, 100, 0, 1, 1, 90, 90\n2024-05-01, 10:00:01, 47.1, 8.1007, 1000, 100, 0, 1, 1, 90, 90\n";
+    std::fs::write(folder.join("g1000.csv"), table).unwrap();
+    for order in ["fly", "log"] {
+        let errors = rejected(&folder, &[order, "g1000.csv"]);
+        for words in [
+            "is a log of a cockpit (Garmin)",
+            "`sins log g1000.csv --map columns.toml` finds its columns",
+            "`sins fly g1000.csv --columns columns.toml` flies it",
+        ] {
+            assert!(errors.contains(words), "{order}: {errors}");
+        }
+    }
+
     std::fs::write(folder.join("nothing.csv"), "a,b,c\n0,1,2\n1,2,3\n2,3,4\n").unwrap();
     let errors = rejected(&folder, &["fly", "nothing.csv"]);
     assert!(errors.contains("missing columns") && !errors.contains("--map"), "{errors}");

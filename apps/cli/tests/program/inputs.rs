@@ -24,8 +24,9 @@ fn a_log_without_its_name_and_rows_of_more_fields_than_columns_are_no_flight() {
         std::fs::write(folder.join("marks.txt"), log().replace(',', mark)).unwrap();
         let errors = rejected(&folder, &["fly", "marks.csv"]);
         assert!(errors.contains(&format!(
-            "columns separated by {marks}: expected commas between fields, and decimal points\n`sins log marks.csv --map"
+            "columns separated by {marks}: expected commas between fields, and decimal points, or separator = "
         )));
+        assert!(errors.contains("`sins log marks.csv --map"), "{errors}");
         assert!(rejected(&folder, &["fly", "marks.txt"]).starts_with("marks.txt: is a flight log"));
     }
     let errors = rejected(&folder, &["fly", "commas.csv"]);
