@@ -364,7 +364,8 @@ typedef struct sins_identified_parameter {
 /**
  * Creates an empty path and an empty record. Then push the samples of the path and the increments of the record, in any order, and
  * solve. docs/identify.md says what is found, and what a record can show. Of the options, the Earth, gravity, axes and the checks of
- * samples count. In the example a simulator stands for the real sensors. NULL for options: the defaults; NULL for request: nothing is known.
+ * samples count. In the example a simulator stands for the real sensors. NULL for options: the defaults; NULL for request: nothing is
+ * known.
  *
  * Not for a real-time frame: it allocates. On an error *identify is unchanged, and sins_last_error(NULL, ...) on this thread gives the
  * reason.

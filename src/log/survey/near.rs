@@ -8,8 +8,8 @@ use crate::base::text::{excerpt, listed, nearest};
 /// Lines in which the names are looked for.
 const LINES: usize = 20;
 
-/// The names of a table, those of its line with most cells of words, and which of them are nearest to latitude and longitude, in a sentence;
-/// `None`: it has no such line.
+/// The names of a table, those of its line with most cells of words, and which of them are nearest to latitude and longitude, in a
+/// sentence; `None`: it has no such line.
 pub fn nearest_names(table: &[u8]) -> Option<String> {
     let table = decoded(table).ok()?;
     let separators = [Separator::Comma, Separator::Semicolon, Separator::Tab, Separator::Bar];
