@@ -219,12 +219,10 @@ fn with_sixtieths(
         if is_missing(text, mapping.missing) {
             return Ok(None);
         }
-        let Some(value) = number(text, mapping.separator).filter(|value| (0.0..60.0).contains(value)) else {
-            let sentence = format!(
-                "{}: expected {what} from 0 to less than 60, found \"{}\"",
-                column.name,
-                excerpt(text)
-            );
+        // Rounding writes 60 too.
+        let Some(value) = number(text, mapping.separator).filter(|value| (0.0..=60.0).contains(value)) else {
+            let sentence =
+                format!("{}: expected {what} from 0 to 60, found \"{}\"", column.name, excerpt(text));
             return Err(fault(line, place + 1, sentence));
         };
         size += value / part;

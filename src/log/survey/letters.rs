@@ -146,10 +146,8 @@ impl Draft<'_> {
                 self.set_sixtieths(key, sixtieths);
             }
             let motion = self.motion().filter(|motion| motion.is_timed && self.value("time").is_some());
-            let is_of_vehicle = motion.is_some_and(|motion| {
-                let speed = motion.speed(&READINGS[0], false, self.time_si());
-                motion.is_at_rest() || speed.is_some_and(|speed| SPEEDS.contains(&speed))
-            });
+            let speed = motion.and_then(|motion| motion.speed(&READINGS[0], false, self.time_si()));
+            let is_of_vehicle = speed.is_some_and(|speed| speed <= *SPEEDS.end());
             if is_of_vehicle {
                 return PARTS
                     .iter()
@@ -349,7 +347,7 @@ mod tests {
         );
         assert!(read("47,,15").is_err());
         for (cells, column, words) in [
-            ("47,60,0", 3, "expected minutes"),
+            ("47,60.1,0", 3, "expected minutes"),
             ("47,18,-1", 4, "expected seconds"),
             ("47,x,1", 3, "found \"x\""),
         ] {

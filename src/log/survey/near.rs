@@ -23,12 +23,16 @@ pub fn nearest_names(table: &[u8]) -> Option<String> {
         _ => Some(row),
     });
     let names = best.filter(|names| count(names) > 1)?;
-    let near = ["latitude", "longitude"].map(|key| {
+    let near = |key: &str, taken: Option<&str>| {
+        let others = || names.iter().filter(|name| Some(*name) != taken);
         let begins = |name: &&str| name.to_lowercase().contains(&key[..3]);
-        let name = names.iter().find(begins).or_else(|| nearest(key, names.iter()));
-        name.map_or(String::new(), |name| format!("; is {} the {key}?", excerpt(name)))
-    });
-    Some(format!("it has the columns {}{}", listed(names.iter()), near.concat()))
+        others().find(begins).or_else(|| nearest(key, others())).map(str::to_owned)
+    };
+    let latitude = near("latitude", None);
+    let longitude = near("longitude", latitude.as_deref());
+    let asked = [("latitude", latitude), ("longitude", longitude)]
+        .map(|(key, name)| name.map_or(String::new(), |name| format!("; is {} the {key}?", excerpt(&name))));
+    Some(format!("it has the columns {}{}", listed(names.iter()), asked.concat()))
 }
 
 #[cfg(test)]
