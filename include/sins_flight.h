@@ -193,7 +193,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 /* Judges of samples. */
 
 /** Most findings of a flight. */
-#define SINS_FINDINGS_MAX 32
+#define SINS_FINDINGS_MAX 30
 
 /** What was found, and what the figure of the finding is. */
 typedef enum sins_finding_kind {
@@ -256,11 +256,7 @@ typedef enum sins_finding_kind {
     /** Attitude in steps; figure: the step of an angle [rad]. */
     SINS_FINDING_COARSE_ATTITUDE = 28,
     /** Columns of a log that are not read contradict what flies; figure: number of them. */
-    SINS_FINDING_UNREAD_CONTRADICTS = 29,
-    /** Height above 100 km of what is in no orbit; figure: the largest [m]. */
-    SINS_FINDING_HEIGHT_UNLIKELY = 30,
-    /** Climb or descent above 1 km/s of what is in no orbit; figure: the largest over a second [m/s]. */
-    SINS_FINDING_CLIMB_UNLIKELY = 31
+    SINS_FINDING_UNREAD_CONTRADICTS = 29
 } sins_finding_kind;
 
 /** What a finding means for a flight of these samples. */

@@ -1,7 +1,6 @@
 //! The findings that follow from the statistics.
 
 use super::blocks::Level as BlockLevel;
-use super::climb::Unlikely;
 use super::finding::{Clue, Finding, Kind, Level};
 use super::velocity::Wrong;
 use super::{Judge, MAX_FINDINGS};
@@ -187,19 +186,6 @@ impl Judge {
             found.add(Finding { at: farthest.at, count: spikes, acceleration_m_s2, ..own });
         }
         self.find_acceleration(found);
-        // A spike, or a value from before the first fix, is no climb.
-        if spikes == 0 && unfixed == 0 {
-            self.find_climb(found);
-        }
-    }
-
-    fn find_climb(&self, found: &mut Findings) {
-        let (kind, largest) = match self.climb.unlikely() {
-            Some(Unlikely::Height(largest)) => (Kind::HeightUnlikely, largest),
-            Some(Unlikely::Climb(largest)) => (Kind::ClimbUnlikely, largest),
-            None => return,
-        };
-        found.add(Finding { at: largest.at, count: 1, ..Finding::new(kind, Level::Doubtful, largest.value) });
     }
 
     /// Finds accelerations, if no other finding explains them.

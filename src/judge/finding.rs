@@ -85,10 +85,6 @@ pub enum Kind {
     CoarseAttitude = 28,
     /// Columns of a log that are not read contradict what flies; figure: number of them.
     UnreadContradicts = 29,
-    /// Height above 100 km of what is in no orbit; figure: the largest [m].
-    HeightUnlikely = 30,
-    /// Climb or descent above 1 km/s of what is in no orbit; figure: the largest over a second [m/s].
-    ClimbUnlikely = 31,
 }
 
 /// What explains a finding.
@@ -207,7 +203,6 @@ impl Finding {
                 | Kind::PitchSign
                 | Kind::AttackNegative
                 | Kind::HeightUnit
-                | Kind::HeightUnlikely
                 | Kind::AttitudeHeld
                 | Kind::AttitudeLate
         ) || self.is_of_two();
@@ -329,9 +324,6 @@ impl Finding {
             }
             Kind::AttackNegative => "right for a helicopter, else check the sign of pitch",
             Kind::HeightUnit => "state the unit of the height",
-            Kind::HeightUnlikely | Kind::ClimbUnlikely => {
-                "right for a rocket, else state the unit of the height"
-            }
             Kind::AttitudeHeld => "correct these attitudes, or set attitude = \"coordinated\" in [log]",
             Kind::UnreadContradicts => "compare them, and correct [log] or the columns",
             Kind::AttitudeLate => {

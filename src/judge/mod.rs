@@ -6,7 +6,6 @@
 
 mod attitude;
 mod blocks;
-mod climb;
 mod conclude;
 mod crab;
 mod finding;
@@ -33,7 +32,6 @@ use crate::base::math::{Euler, sin_cos, wrap_angle};
 use crate::earth::Earth;
 use crate::truth::FlightSample;
 use blocks::{Blocks, Coarseness};
-use climb::Climb;
 use induced_error::InducedError;
 use late::Lateness;
 use noise::Noise;
@@ -44,7 +42,7 @@ use stamps::Stamps;
 use wrap::Wrap;
 
 /// Largest number of findings of a flight.
-pub const MAX_FINDINGS: usize = 32;
+pub const MAX_FINDINGS: usize = 30;
 
 /// Cosine of the pitch below which the angles of the attitude say nothing about its noise.
 const NEAR_ZENITH: f64 = 0.2;
@@ -78,7 +76,6 @@ pub struct Judge {
     angle_steps: AttitudeSteps,
     lateness: Lateness,
     positions: Positions,
-    climb: Climb,
     blocks: Blocks,
     wraps: [Wrap; 2],
     effect: InducedError,
@@ -110,7 +107,6 @@ impl Judge {
             angle_steps: AttitudeSteps::new(),
             lateness: Lateness::new(),
             positions: Positions::new(),
-            climb: Climb::new(),
             blocks: Blocks::new()?,
             wraps: [const { Wrap::new() }; 2],
             effect: InducedError::new(),
@@ -195,7 +191,6 @@ impl Judge {
     fn add(&mut self, row: &Row, sample: &FlightSample, last: &FlightSample) {
         let usual_s = self.stamps.usual_s();
         self.resolution.add(&self.earth, row);
-        self.climb.add(row);
         let steps_m = self.resolution.steps_m;
         let step_m = self.resolution.horizontal_m();
         // Differences of the rates of change: those of uneven samples are not noise.

@@ -24,8 +24,6 @@ pub(super) struct Largest {
 }
 
 impl Largest {
-    pub const ZERO: Self = Self { value: 0.0, at: At { row: 0, time_s: 0.0 } };
-
     pub fn take(&mut self, value: f64, at: At) {
         if value > self.value {
             *self = Self { value, at };
@@ -74,6 +72,7 @@ enum Unfixed {
 impl Positions {
     pub const fn new() -> Self {
         const ZERO: Vector3<f64> = Vector3::new(0.0, 0.0, 0.0);
+        const NONE: Largest = Largest { value: 0.0, at: At { row: 0, time_s: 0.0 } };
         Self {
             moving: 0,
             held: 0,
@@ -81,12 +80,12 @@ impl Positions {
             run: None,
             steps: Histogram::new(),
             beside: Histogram::new(),
-            farthest: Largest::ZERO,
+            farthest: NONE,
             past: [(At { row: 0, time_s: 0.0 }, 0.0); 4],
             displacements: [ZERO; 2],
             known: 0,
-            acceleration: Largest::ZERO,
-            flown: Largest::ZERO,
+            acceleration: NONE,
+            flown: NONE,
             v_e: None,
             from_start: ZERO,
             extent_m: 0.0,

@@ -57,12 +57,6 @@ impl fmt::Display for Finding {
                     _ => Ok(()),
                 }
             }
-            (Kind::HeightUnlikely, _) => {
-                write!(f, "the height is {figure} m at {at} s (is it in another unit?)")
-            }
-            (Kind::ClimbUnlikely, _) => {
-                write!(f, "the height changes by {figure} m/s at {at} s (is it in another unit?)")
-            }
             (Kind::VelocityLate, _) => {
                 let word = if self.figure < 0.0 { "early" } else { "late" };
                 let delay = Digits(self.figure.abs());

@@ -121,8 +121,9 @@ impl Unread {
                 || (VELOCITY..RATE).contains(quantity)
                 || (SPEED..TRACK + 2).contains(quantity)
         };
-        // A letter alone is also a temperature, or a humidity.
-        let found = guess(name).filter(|_| unit_and_words(name).1.concat().chars().count() > 1);
+        // A letter without a unit is also a temperature, or a humidity.
+        let is_letter = unit_and_words(name).1.concat().chars().count() == 1;
+        let found = guess(name).filter(|found| !is_letter || !found.unit.is_empty());
         let like = || {
             let small = words(name).concat();
             let is_in = |(_, known): &&(Like, &[&str])| known.iter().any(|word| small.contains(word));
