@@ -17,16 +17,17 @@ trap 'rm -rf "$work"' EXIT
 first=$work/first second="$work/a second folder/of another name"
 need unzip unzip
 
-# build FOLDER SETTING...: makes the packages in a clone.
+# build SOURCE FOLDER SETTING...: makes the packages in a clone.
 build() {
-    git clone -q . "$1"
+    git clone -q "$1" "$2"
     local command=(release/package.sh "${what[@]}")
     [ "${what[*]}" != all ] || command=(release/all.sh)
-    (cd "$1" && env "${@:2}" "${command[@]}") >"$work/log" 2>&1 || { tail -n 50 "$work/log"; return 1; }
-    rm -rf "$1/target/release"* # room for the second
+    (cd "$2" && env "${@:3}" "${command[@]}") >"$work/log" 2>&1 || { tail -n 50 "$work/log"; return 1; }
+    rm -rf "$2/target/release"* # room for the second
 }
-build "$first" TZ=UTC LC_ALL=C.UTF-8 CARGO_BUILD_JOBS=2
-(umask 077 && build "$second" TZ=Pacific/Auckland LC_ALL=C CARGO_BUILD_JOBS=1)
+build . "$first" TZ=UTC LC_ALL=C.UTF-8 CARGO_BUILD_JOBS=2
+# Of the same commit, whatever was committed in the meantime.
+(umask 077 && build "$first" "$second" TZ=Pacific/Auckland LC_ALL=C CARGO_BUILD_JOBS=1)
 
 # unpacked FILE FOLDER: the files of an archive, those of wheels within it too.
 unpacked() {

@@ -131,13 +131,13 @@ class Page {
         field.oninput = () => {
             const words = field.value.toLowerCase().split(/\s+/).filter(Boolean), is_asked = words.length > 0;
             const keys = can_stand.filter((key) => is_asked && words.every((word) => given(key).includes(word)));
-            const groups = Object.entries(Object.groupBy(keys, ({ section }) => section)).map(([, own]) => group(this.name_of(own[0]), fields(scene, own)));
-            [tabs.hidden, this.found.hidden] = [is_asked, !is_asked];
+            const sections = [...new Set(keys.map(({ section }) => section))].map((own) => keys.filter((key) => key.section === own));
+            const groups = sections.map((own) => group(this.name_of(own[0]), fields(scene, own)));
             this.found.replaceChildren(...(groups.length ? groups : [text("No such setting")]));
+            [tabs.hidden, this.found.hidden] = [is_asked, !is_asked];
             refresh_within(this.found);
         };
-        this.found = element("div", { hidden: "" });
-        return [element("div", { class: "bar" }, field), this.found];
+        return [element("div", { class: "bar" }, field), (this.found = element("div", { hidden: "" }))];
     }
 
     /** The name of the section of a key that has a field on the page. */

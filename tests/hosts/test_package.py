@@ -65,6 +65,9 @@ class Flights(unittest.TestCase):
         self.assertEqual(sins.fly("aerobatics", flight={"speed_m_s": 190}).title, "aerobatics")
         self.assertNotIn("0.01", sins.fly(titled, **hour, gyro={"bias_deg_h": 5}).title)
         self.assertEqual(sins.fly(titled, **hour, flight={"title": "Mine"}).title, "Mine")
+        rest = "[flight]\nbuiltin = 'rest'\nhours = 0.7\nrate_hz = 50\ntitle = '747 at rest, 50 Hz'\n"
+        for flight, title in (({"hours": 0.01}, "747 at rest, 50 Hz"), ({"rate_hz": 10}, "rest")):
+            self.assertEqual(sins.fly(rest, flight=flight).title, title)
 
     def test_flies_as_the_program(self):
         settings = {"gyro": {"preset": "tactical", "bias_deg_h": [1, 2, 3]}, "options": {"seed": 7, "error_model": "rk4"}}

@@ -209,9 +209,15 @@ def _lines(paths: Mapping[str, Any], settings: Mapping[str, Setting]) -> str:
 
 
 def _of_title(text: str, title: str) -> "set[str]":
-    """The lines of a scene of which its title may speak: all but options, output and rate, and the hours only if it names their number."""
-    lines = re.sub(r"^\[(options|output)\]\n(.+\n)*|^rate_hz = .*\n", "", text, flags=re.MULTILINE).split("\n")
-    return {line for line in lines if not line.startswith("hours = ") or line.split()[2] in title}
+    """The lines of a scene of which its title may speak; of options, output, rate and hours, those whose value it has."""
+    section, lines = "", set()
+    for line in text.split("\n"):
+        section = line if line.startswith("[") else section
+        is_loose = section in ("[options]", "[output]") or line.startswith(("rate_hz = ", "hours = "))
+        value = line.partition(" = ")[2].partition("  #")[0].strip('"')
+        if not is_loose or (value and re.search(rf"(?<![\w.]){re.escape(value)}(?![\w.])", title)):
+            lines.add(line)
+    return lines
 
 
 def _all(read: Callable[[int], Any]) -> "Iterator[Any]":

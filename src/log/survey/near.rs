@@ -2,6 +2,7 @@
 
 use super::super::lines::{cells, names_of};
 use super::super::text::decoded;
+use super::super::words::words;
 use super::super::{MAX_LINE, Separator};
 use crate::base::text::{excerpt, listed, nearest};
 
@@ -25,7 +26,7 @@ pub fn nearest_names(table: &[u8]) -> Option<String> {
     let names = best.filter(|names| count(names) > 1)?;
     let near = |key: &str, taken: Option<&str>| {
         let others = || names.iter().filter(|name| Some(*name) != taken);
-        let begins = |name: &&str| name.to_lowercase().contains(&key[..3]);
+        let begins = |name: &&str| words(name).iter().any(|word| word.starts_with(&key[..3]));
         others().find(begins).or_else(|| nearest(key, others())).map(str::to_owned)
     };
     let latitude = near("latitude", None);

@@ -33,8 +33,8 @@ const SLOW_M_S: f64 = 0.5;
 /// Largest angle to the course of a column whose name does not say that it has one.
 const COURSE_AGREES_DEG: f64 = 5.0;
 
-/// Ratios of the speed over ground to one through the air, or to a speed along the path.
-const OF_AIR: core::ops::RangeInclusive<f64> = 0.6..=1.95;
+/// Smallest angle of a course or a heading that contradicts: one may be magnetic, and a vehicle drifts.
+const CONTRADICTS_DEG: f64 = 60.0;
 
 /// Largest step of the numbers of a speed that widens what agrees, as a share of them.
 const COARSEST: f64 = 0.3;
@@ -43,7 +43,7 @@ const COARSEST: f64 = 0.3;
 const OVER_GROUND: [&str; 5] = ["groundspeed", "gndspd", "gspeed", "gs", "sog"];
 
 /// Sizes of the numbers of a time by that of what flies: seconds, and what counts hours, minutes, days and parts of a second.
-const CLOCKS: [f64; 10] = [1.0, 1e3, 1e6, 1e9, 1e4, 10.0, 100.0, 1.0 / 60.0, 1.0 / 3600.0, 1.0 / 86400.0];
+const CLOCKS: [f64; 11] = [1.0, 1e3, 1e6, 1e9, 1e7, 1e4, 10.0, 100.0, 1.0 / 60.0, 1.0 / 3600.0, 1.0 / 86400.0];
 const CLOCK_FITS: f64 = 0.06;
 
 /// Steps of a time over which its rate is told.
@@ -95,9 +95,8 @@ impl Compared<'_> {
         sizes.filter(|(_, size)| !self.column.unit.is_empty() || *size >= slowest).collect()
     }
 
-    /// The motion that flies, with the numbers of the column as speeds of this unit and as courses in degrees or radians.
-    fn motion(&self, speed_si: f64) -> Motion {
-        let angle = self.angle();
+    /// The motion that flies, with the numbers of the column as speeds and as courses in units of these sizes.
+    fn motion(&self, speed_si: f64, angle: f64) -> Motion {
         let row = |(time, value, there): &(f64, f64, There)| Row {
             time: *time,
             latitude: there.latitude,
@@ -109,20 +108,17 @@ impl Compared<'_> {
         Motion::new(self.rows.iter().map(row).collect(), true, vec![1.0])
     }
 
-    /// The size of the unit of the column as that of an angle [rad]: parts of a hundred, or radians, by the largest number.
-    fn angle(&self) -> f64 {
-        let largest = self.rows.iter().map(|(_, value, _)| value.abs()).fold(0.0, f64::max);
+    /// Sizes of the units that the column may have as an angle [rad].
+    fn angles(&self) -> Vec<f64> {
         match unit_of(Dimension::Angle, self.column.unit) {
-            Some((_, size)) if !self.column.unit.is_empty() => size,
-            _ if largest <= 6.3 => 1.0,
-            _ if largest > 720.0 => 0.01 * DEG,
-            _ => DEG,
+            Some((_, size)) if !self.column.unit.is_empty() => vec![size],
+            _ => vec![DEG, 1.0, 0.01 * DEG],
         }
     }
 
     /// The ratio of the way to that of the column in m/s; `None`: nothing moves.
     fn speed_ratio(&self) -> Option<f64> {
-        let motion = self.motion(1.0);
+        let motion = self.motion(1.0, DEG);
         let [along_m, _] = self.ways();
         let is_moving = along_m > SLOW_M_S * self.duration_s() && !motion.is_at_rest();
         is_moving.then(|| motion.fit(&READINGS[0], false, 1.0).ratio)?
@@ -140,28 +136,24 @@ impl Compared<'_> {
 
     fn speed(&self) -> Said {
         let Some(ratio) = self.speed_ratio().filter(|ratio| ratio.is_finite()) else { return Said::Nothing };
-        let units = self.sizes(Dimension::Speed);
         // Numbers of few digits are right to half a step.
         let tolerance = AT_UNIT + 0.5 * self.relative_step();
-        let near = units.iter().find(|(_, size)| ln(ratio / size).abs() < tolerance);
-        if let Some((unit, _)) = near {
+        let sizes = self.sizes(Dimension::Speed);
+        let near: Vec<&(&str, f64)> =
+            sizes.iter().filter(|(_, size)| ln(ratio / size).abs() < tolerance).collect();
+        if let [(unit, _)] = near[..] {
             return Said::Agrees(format!("speed in {unit}"));
         }
+        if !near.is_empty() {
+            return Said::Agrees("speed".to_owned());
+        }
+        // Another one may be through the air, or along the path.
         let words = unit_and_words(&self.column.name).1.concat();
-        let is_over_ground = OVER_GROUND.iter().any(|name| words.ends_with(name));
-        if !is_over_ground
-            && (self.climbs() || units.iter().any(|(_, size)| OF_AIR.contains(&(ratio / size))))
-        {
+        if !OVER_GROUND.iter().any(|name| words.ends_with(name)) {
             return Said::Unlike;
         }
         let stated = unit_of(Dimension::Speed, self.column.unit).map_or(1.0, |(_, size)| size);
-        Said::Contradicts(times("the speed that flies", ratio / stated, self.column.unit, Dimension::Speed))
-    }
-
-    /// Whether the way up or down is a large part of the way.
-    fn climbs(&self) -> bool {
-        let [along_m, up_m] = self.ways();
-        up_m > 0.3 * along_m
+        Said::Contradicts(times("the speed that flies", ratio / stated, self.column.unit, Dimension::Speed).0)
     }
 
     /// The smallest step of the numbers, by their median.
@@ -172,35 +164,39 @@ impl Compared<'_> {
         if usual > 0.0 && least.is_finite() { (least / usual).min(COARSEST) } else { 0.0 }
     }
 
-    /// The median angle between the track and the column [deg]; `None`: nothing moves.
+    /// The median angle between the track and the column [deg], in that of its units that fits best; `None`: nothing moves.
     fn course_deg(&self) -> Option<f64> {
         self.speed_ratio()?;
-        self.motion(1.0).fit(&READINGS[0], false, 1.0).course_deg
+        let fits = |size: f64| self.motion(1.0, size).fit(&READINGS[0], false, 1.0).course_deg;
+        self.angles().into_iter().filter_map(fits).min_by(f64::total_cmp)
     }
 
     fn course(&self) -> Said {
         match self.course_deg() {
             None => Said::Nothing,
             Some(course_deg) if course_deg < COURSE_FITS_DEG => Said::Agrees("course".to_owned()),
+            Some(course_deg) if course_deg < CONTRADICTS_DEG => Said::Unlike,
             Some(course_deg) => Said::Contradicts(format!("the track is {course_deg:.0} deg off its course")),
         }
     }
 
-    /// The median angle between the heading that flies and the column [deg].
+    /// The median angle between the heading that flies and the column [deg], in that of its units that fits best.
     fn heading_deg(&self) -> f64 {
-        let size = self.angle();
-        let turns = self.rows.iter().map(|(_, value, there)| wrap_angle(there.heading - value * size).abs());
-        median(turns).unwrap_or(0.0) / DEG
+        let off = |size: f64| {
+            let turns =
+                self.rows.iter().map(|(_, value, there)| wrap_angle(there.heading - value * size).abs());
+            median(turns).unwrap_or(0.0) / DEG
+        };
+        self.angles().into_iter().map(off).fold(f64::INFINITY, f64::min)
     }
 
     fn heading(&self, has_attitude: bool) -> Said {
         let heading_deg = self.heading_deg();
-        match heading_deg < COURSE_FITS_DEG {
-            true => Said::Agrees("heading".to_owned()),
-            false if has_attitude || self.speed_ratio().is_some() => {
-                Said::Contradicts(format!("the heading that flies is {heading_deg:.0} deg off"))
-            }
-            false => Said::Nothing,
+        match heading_deg {
+            _ if heading_deg < COURSE_FITS_DEG => Said::Agrees("heading".to_owned()),
+            // A heading that was assumed proves nothing.
+            _ if !has_attitude || heading_deg < CONTRADICTS_DEG => Said::Unlike,
+            _ => Said::Contradicts(format!("the heading that flies is {heading_deg:.0} deg off")),
         }
     }
 
@@ -234,6 +230,8 @@ impl Compared<'_> {
         let size = stated.map_or(1.0, |(_, size)| size);
         match fits {
             true => Said::Agrees("time".to_owned()),
+            // It counts something else: frames, ticks.
+            false if stated.is_none() && self.column.format.is_none() => Said::Unlike,
             false => Said::Contradicts(format!(
                 "it runs {} times as fast as the time that flies",
                 short(ratio_of_numbers * size)
@@ -245,7 +243,7 @@ impl Compared<'_> {
     fn any(&self, has_attitude: bool) -> Said {
         let of_speed = || {
             let unit = self.near(self.speed_ratio()?, Dimension::Speed, AT_UNIT)?;
-            Some(format!("speed in {unit}")).filter(|_| self.motion(1.0).turns(&READINGS[0]))
+            Some(format!("speed in {unit}")).filter(|_| self.motion(1.0, DEG).turns(&READINGS[0]))
         };
         let of_axis = |axis: usize| {
             let Follows { correlation, ratio } = self.follows(axis)?;
@@ -261,7 +259,7 @@ impl Compared<'_> {
             Some(format!("height in {unit}"))
         };
         let of_course = || {
-            let turns = self.motion(1.0).turns(&READINGS[0]);
+            let turns = self.motion(1.0, DEG).turns(&READINGS[0]);
             let is_course =
                 turns && self.course_deg().is_some_and(|course_deg| course_deg < COURSE_AGREES_DEG);
             let is_heading = turns && has_attitude && self.heading_deg() < COURSE_AGREES_DEG;

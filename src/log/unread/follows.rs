@@ -13,9 +13,8 @@ const PART_S: f64 = 2.0;
 /// Slowest motion along an axis that is compared, in the mean of squares \[m/s\].
 const STILL_M_S: f64 = 0.1;
 
-/// Changes of a height below which it is level, and above which it climbs \[m\].
+/// Changes of a height below which it is level \[m\].
 pub const LOW_M: f64 = 30.0;
-const CLIMBS_M: f64 = 100.0;
 
 /// Correlation above which one series follows another, and largest deviation of their ratio from a unit, as a logarithm: an instrument of
 /// pressure errs by a tenth and more.
@@ -82,7 +81,7 @@ impl Compared<'_> {
             None => {
                 let stated = unit_of(Dimension::Speed, self.column.unit).map_or(1.0, |(_, size)| size);
                 let what = format!("the velocity {name} that flies");
-                Said::Contradicts(times(&what, ratio / stated, self.column.unit, Dimension::Speed))
+                contradicts_by_unit(times(&what, ratio / stated, self.column.unit, Dimension::Speed))
             }
         }
     }
@@ -121,14 +120,9 @@ impl Compared<'_> {
             let near = sizes.iter().find(|(_, size)| is_near(*size));
             return near.map_or(Said::Unlike, |_| Said::Agrees("height".to_owned()));
         }
-        let Some(Follows { correlation, ratio }) = follows.filter(|follows| follows.correlation > FOLLOWS)
-        else {
-            let feet = if self.column.unit.is_empty() { 0.3048 } else { stated };
-            let [low, high] = [spreads[0].min(spreads[1] * feet), spreads[0].max(spreads[1] * feet)];
-            return match high > CLIMBS_M && low < 0.3 * high {
-                true => Said::Contradicts("the height that flies does not follow it".to_owned()),
-                false => Said::Unlike,
-            };
+        // So are one of the ground, and an elevation that is an angle.
+        let Some(Follows { correlation, ratio }) = follows.filter(|follows| follows.correlation > FOLLOWS) else {
+            return Said::Unlike;
         };
         match self.near(ratio, Dimension::Length, NEAR_UNIT) {
             Some(unit) if unit_of(Dimension::Length, unit).is_some_and(|(_, size)| is_near(size)) => {
@@ -138,13 +132,8 @@ impl Compared<'_> {
             Some(_) => Said::Unlike,
             None if correlation < FOLLOWS_WELL => Said::Unlike,
             None => {
-                let ratio = ratio / stated;
-                Said::Contradicts(times(
-                    "the change of the height that flies",
-                    ratio,
-                    self.column.unit,
-                    Dimension::Length,
-                ))
+                let what = "the change of the height that flies";
+                contradicts_by_unit(times(what, ratio / stated, self.column.unit, Dimension::Length))
             }
         }
     }
@@ -168,16 +157,22 @@ pub fn displacement(from: &There, to: &There) -> [f64; 3] {
     [way_m * sine, way_m * cosine, to.height_m - from.height_m]
 }
 
-/// What flies is so many times that of a column in a unit; another unit of it explains this.
-pub fn times(what: &str, ratio: f64, unit: &str, dimension: Dimension) -> String {
+/// Only what another unit explains is a contradiction: a part of a quantity follows it too.
+fn contradicts_by_unit((sentence, is_explained): (String, bool)) -> Said {
+    if is_explained { Said::Contradicts(sentence) } else { Said::Unlike }
+}
+
+/// What flies is so many times that of a column in a unit, and whether another unit explains this.
+pub fn times(what: &str, ratio: f64, unit: &str, dimension: Dimension) -> (String, bool) {
     let of = unit_of(dimension, unit).map_or(1.0, |(_, size)| size);
     let find = |size_of: f64, is: &str| {
         let near = |(other, size): &(&str, f64)| *other != unit && ln(size_of / size).abs() < AT_UNIT;
         let found = units_of(dimension).filter_map(|other| unit_of(dimension, other)).find(near);
         found.map(|(other, _)| format!(" (is {is} in {other}?)"))
     };
-    let explained = find(ratio * of, "it").or_else(|| find(of / ratio, "what flies")).unwrap_or_default();
-    format!("{what} is {} times that of it{explained}", short(ratio))
+    let explained = find(ratio * of, "it").or_else(|| find(of / ratio, "what flies"));
+    let is_explained = explained.is_some();
+    (format!("{what} is {} times that of it{}", short(ratio), explained.unwrap_or_default()), is_explained)
 }
 
 /// A number with three digits.
