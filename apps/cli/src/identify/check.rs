@@ -1,35 +1,42 @@
 //! Whether the record keeps what the identified sensors predict, as a table for the terminal and as JSON.
 
-use sins::analysis::identify::check::{Agreement, Check, Span, TruthSigma};
+use sins::analysis::identify::check::{Agreement, Check, CheckRequest, Span, TruthSigma};
 use sins::units::ARCMIN;
 
 use crate::failure::Failure;
 use crate::units::{significant, time_text, two_digits};
 
-/// The keys of `--truth-sigma`.
-const KEYS: &str = "position_m, velocity_m_s, tilt_arcmin or heading_arcmin";
+/// A key of `--truth-sigma`: its name, the size of its unit in SI, and what it sets.
+type Key = (&'static str, f64, fn(&mut TruthSigma) -> &mut f64);
+const KEYS: [Key; 4] = [
+    ("position_m", 1.0, |sigma| &mut sigma.position_m),
+    ("velocity_m_s", 1.0, |sigma| &mut sigma.velocity_m_s),
+    ("tilt_arcmin", ARCMIN, |sigma| &mut sigma.tilt_rad),
+    ("heading_arcmin", ARCMIN, |sigma| &mut sigma.heading_rad),
+];
 
 /// The errors of the truth of texts such as "velocity_m_s=0.03".
 pub fn truth_sigma(texts: &[String]) -> Result<TruthSigma, Failure> {
-    let mut sigma = TruthSigma::default();
+    let mut truth = TruthSigma::default();
     for text in texts {
         let expected = || {
+            let [first, second, third, fourth] = KEYS.map(|(name, ..)| name);
+            let keys = format!("{first}, {second}, {third} or {fourth}");
             Failure::new(format!(
-                "--truth-sigma {text}: expected NAME=NUMBER with one of {KEYS} and 0 or more"
+                "--truth-sigma {text}: expected NAME=NUMBER with one of {keys} and 0 or more"
             ))
         };
         let (key, value) = text.split_once('=').ok_or_else(expected)?;
+        let (_, si, place) = KEYS.iter().find(|(name, ..)| *name == key.trim()).ok_or_else(expected)?;
         let value = value.trim().parse::<f64>().ok().filter(|value| value.is_finite() && *value >= 0.0);
-        let value = value.ok_or_else(expected)?;
-        match key.trim() {
-            "position_m" => sigma.position_m = value,
-            "velocity_m_s" => sigma.velocity_m_s = value,
-            "tilt_arcmin" => sigma.tilt_rad = value * ARCMIN,
-            "heading_arcmin" => sigma.heading_rad = value * ARCMIN,
-            _ => return Err(expected()),
+        *place(&mut truth) = value.ok_or_else(expected)? * si;
+        // The library states its limit in SI, the user's unit is that of the key.
+        if let Err(error) = (CheckRequest { truth, ..CheckRequest::default() }).validate() {
+            let most = error.rule.limits().1.unwrap_or(f64::MAX) / si;
+            return Err(Failure::new(format!("--truth-sigma {text}: must be at most {}", significant(most))));
         }
     }
-    Ok(sigma)
+    Ok(truth)
 }
 
 /// The table.
@@ -163,5 +170,18 @@ mod tests {
             let error = read(&[wrong]).unwrap_err();
             assert!(error.starts_with(&format!("--truth-sigma {wrong}: expected NAME=NUMBER")), "{error}");
         }
+        // A limit is in the unit of its key: a radian is 3438 arcmin.
+        for (wrong, limit) in [
+            ("tilt_arcmin=3439", "3438"),
+            ("heading_arcmin=1e9", "3438"),
+            ("position_m=1e5", "10000"),
+            ("velocity_m_s=1001", "1000"),
+        ] {
+            assert_eq!(
+                read(&[wrong]).unwrap_err(),
+                format!("--truth-sigma {wrong}: must be at most {limit}")
+            );
+        }
+        assert!(read(&["tilt_arcmin=3437"]).is_ok());
     }
 }

@@ -93,7 +93,6 @@ impl Order {
     pub fn check_request(&self) -> Result<Option<CheckRequest>, Failure> {
         let truth = truth_sigma(&self.truth_sigma)?;
         let request = CheckRequest { twins: self.twins as usize, truth, ..CheckRequest::default() };
-        request.validate().map_err(|error| Failure::new(format!("--truth-sigma: {error}")))?;
         Ok(self.check.then_some(request))
     }
 
