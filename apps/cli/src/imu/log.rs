@@ -213,33 +213,34 @@ fn stamps(
         );
         return Err(Failure::of_line(path, 1, &what));
     };
+    // Rows that are counted may have no hole.
+    let has_holes = table.left_out().is_some();
+    let counts = if has_holes { "" } else { " (--rate: counts rows)" };
     let mut times_s = table.take(name)?;
     if let Stamp::Number(unit) = stamp {
         times_s.iter_mut().for_each(|time| *time *= unit);
     }
     if let Some(row) = times_s.windows(2).position(|pair| pair[1] < pair[0]) {
         let what = format!(
-            "column {name}: expected a stamp of {:.6} s or later, found {:.6} s (--rate: counts rows)",
+            "column {name}: expected a stamp of {:.6} s or later, found {:.6} s{counts}",
             times_s[row],
             times_s[row + 1]
         );
         return Err(Failure::of_line(path, table.line(row + 1), &what));
     }
     if times_s[0] == times_s[times_s.len() - 1] {
-        return Err(Failure::of_file(
-            path,
-            &format!("column {name}: all stamps are the same (--rate: counts rows)"),
-        ));
+        return Err(Failure::of_file(path, &format!("column {name}: all stamps are the same{counts}")));
     }
-    check_jump(path, table, name, &times_s)?;
+    check_jump(path, table, name, &times_s, counts)?;
     let found = stamps::read(&times_s);
     let longest = found.pieces.iter().map(Range::len).max().unwrap_or(0);
     if longest < FEWEST_SAMPLES {
+        let rate = significant(1.0 / found.interval_s);
+        let as_next =
+            if has_holes { String::new() } else { format!("; --rate {rate}: takes each row as the next") };
         let what = format!(
-            "column {name}: {} gaps, and the longest piece between them has {longest} rows (limit {FEWEST_SAMPLES}; --rate {}: takes \
-             each row as the next)",
-            found.gaps,
-            significant(1.0 / found.interval_s)
+            "column {name}: {} gaps, and the longest piece between them has {longest} rows (limit {FEWEST_SAMPLES}{as_next})",
+            found.gaps
         );
         return Err(Failure::of_file(path, &what));
     }
@@ -247,7 +248,7 @@ fn stamps(
 }
 
 /// Rejects a step that is longer than the rest of the record a million times: the interval of such stamps is unknown.
-fn check_jump(path: &Path, table: &Table, name: &str, times_s: &[f64]) -> Result<(), Failure> {
+fn check_jump(path: &Path, table: &Table, name: &str, times_s: &[f64], counts: &str) -> Result<(), Failure> {
     let span_s = times_s[times_s.len() - 1] - times_s[0];
     let steps = times_s.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
     let Some((row, longest_s)) = steps.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(()) };
@@ -255,7 +256,7 @@ fn check_jump(path: &Path, table: &Table, name: &str, times_s: &[f64]) -> Result
         return Ok(());
     }
     let what = format!(
-        "column {name}: a stamp of {:.6} s follows one of {:.6} s, and all others are within {}: the clock jumps (--rate: counts rows)",
+        "column {name}: a stamp of {:.6} s follows one of {:.6} s, and all others are within {}: the clock jumps{counts}",
         times_s[row + 1],
         times_s[row],
         time_text(span_s - longest_s)
@@ -292,6 +293,28 @@ mod tests {
         assert_eq!((log.interval_s, log.series[0].increments[7]), (0.02, 7.0));
         let failure = read("count,delta_v_m_s", None, |k| k.to_string()).err().unwrap();
         assert!(failure.starts_with("log.csv:1: ") && failure.contains("--rate"), "{failure}");
+    }
+
+    /// `--rate` is no remedy where rows without a value were left out: with it the same table is refused at its hole.
+    #[test]
+    fn a_rate_is_advised_only_where_it_helps() {
+        let back = |k: u32| (f64::from(k) - if k == 40 { 9.0 } else { 0.0 }).to_string();
+        let same = |_: u32| "1".to_owned();
+        let jump = |k: u32| (f64::from(k) + if k < 40 { 0.0 } else { 1e12 }).to_string();
+        let apart = |k: u32| (f64::from(k) + f64::from(k / 20) * 1e3).to_string();
+        let times: [&dyn Fn(u32) -> String; 4] = [&back, &same, &jump, &apart];
+        for time in times {
+            for hole in [None, Some(10), Some(59)] {
+                let row = |k: u32| match hole {
+                    Some(place) if place == k => format!("{},\n", time(k)),
+                    _ => format!("{},{k}\n", time(k)),
+                };
+                let text = format!("time_s,a_g\n{}", (0..60).map(row).collect::<String>());
+                let read = |rate_hz| Log::from_input(&source(rate_hz), text.as_bytes());
+                let failure = read(None).err().unwrap().to_string();
+                assert_eq!(failure.contains("--rate"), read(Some(10.0)).is_ok(), "{hole:?}: {failure}");
+            }
+        }
     }
 
     #[test]
