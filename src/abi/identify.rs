@@ -144,7 +144,7 @@ impl sins_identify_request {
             grade => Prior::of(Grade::of("request.prior", grade)?),
         };
         let is_known = self.flags & SINS_IDENTIFY_SHIFT != 0;
-        Ok(Request { prior, axes: exchange(self.axes)?, offset_s: is_known.then_some(self.shift_s) })
+        Ok(Request { prior, axes: exchange(self.axes)?, shift_s: is_known.then_some(self.shift_s) })
     }
 }
 

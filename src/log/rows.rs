@@ -212,20 +212,29 @@ fn with_sixtieths(
     column: &Column,
     mapping: &LogMapping,
 ) -> Result<Option<f64>, LogError> {
+    let name = &column.name;
     let mut size = degrees.abs();
+    // What is divided further is whole.
+    let mut above = (size, "degrees");
     for (place, (part, what)) in column.sixtieths.iter().zip([(60.0, SIXTIETHS[0]), (3600.0, SIXTIETHS[1])]) {
         let Some(place) = *place else { continue };
         let text = row.get(place).unwrap_or_default();
         if is_missing(text, mapping.missing) {
             return Ok(None);
         }
-        // Rounding writes 60 too.
-        let Some(value) = number(text, mapping.separator).filter(|value| (0.0..=60.0).contains(value)) else {
-            let sentence =
-                format!("{}: expected {what} from 0 to 60, found \"{}\"", column.name, excerpt(text));
+        if above.0.fract() != 0.0 {
+            let sentence = format!("{name}: expected whole {} beside {what}, found {}", above.1, above.0);
+            return Err(fault(line, place + 1, sentence));
+        }
+        // Each part may have the sign of all, and rounding writes 60 too.
+        let value = number(text, mapping.separator);
+        let value = value.map(|value| if degrees.is_sign_negative() { value.abs() } else { value });
+        let Some(value) = value.filter(|value| (0.0..=60.0).contains(value)) else {
+            let sentence = format!("{name}: expected {what} from 0 to 60, found \"{}\"", excerpt(text));
             return Err(fault(line, place + 1, sentence));
         };
         size += value / part;
+        above = (value, what);
     }
     // -0 degrees are negative too.
     Ok(Some(size.copysign(degrees)))

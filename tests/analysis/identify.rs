@@ -300,7 +300,7 @@ fn a_given_shift_is_known_to_ten_seconds() {
     let unit = Unit { behind_s: -1.7e9, ..Default::default() };
     let record = unit.record(&aerobatics, MINUTES);
     let given =
-        |offset_s: f64| identify(&path, &record, &Request { offset_s: Some(offset_s), ..Default::default() });
+        |offset_s: f64| identify(&path, &record, &Request { shift_s: Some(offset_s), ..Default::default() });
     for off_s in [0.0, 2.0, -8.0] {
         let one = given(unit.behind_s + off_s).unwrap();
         assert!((one.offset_s.value - unit.behind_s).abs() < 1e-3, "{off_s}: {:?}", one.offset_s);
@@ -308,7 +308,7 @@ fn a_given_shift_is_known_to_ten_seconds() {
     for wrong_s in [unit.behind_s + 60.0, 0.0] {
         assert!(given(wrong_s).is_err(), "{wrong_s}");
     }
-    assert_eq!(given(2e12).unwrap_err().to_string(), "request.offset_s = 2e12: must be from -1e12 to 1e12");
+    assert_eq!(given(2e12).unwrap_err().to_string(), "request.shift_s = 2e12: must be from -1e12 to 1e12");
 }
 
 /// At rest only biases are seen: no scale factor, misalignment or shift is reported as if it were known.

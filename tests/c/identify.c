@@ -138,7 +138,7 @@ static void wrong_use_is_answered(void)
     bad_request((sins_identify_request){.axes = {1, 2, 0}}, "request.axes[2] = 0: must be 1, 2 or 3");
     bad_request((sins_identify_request){.axes = {1, 2, INT32_MIN}}, "request.axes[2] = -2147483648: ");
     bad_request((sins_identify_request){.axes = {1, 2, -3}}, "request.axes: must be a signed exchange");
-    bad_request((sins_identify_request){.flags = 1, .shift_s = NAN}, "request.offset_s = NaN");
+    bad_request((sins_identify_request){.flags = 1, .shift_s = NAN}, "request.shift_s = NaN");
     known.axes[0] = 2;
     known.axes[1] = 1;
     known.axes[2] = -3;

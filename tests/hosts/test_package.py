@@ -642,7 +642,7 @@ class Identification(unittest.TestCase):
             (ValueError, "prior = 'best': must be strategic, ", {"prior": "best"}),
             (ValueError, "axes = 'x y': must be x, y and z once each", {"axes": "x y"}),
             (sins.Error, "request.axes: must be a signed exchange of axes without reflection", {"axes": "x y -z"}),
-            (sins.Error, "request.offset_s = NaN", {"shift_s": float("nan")}),
+            (sins.Error, "request.shift_s = NaN", {"shift_s": float("nan")}),
             (sins.Error, "no such section: foo", {"foo": {}}),
             (TypeError, "no time_s", {"imu": {}}),
             (TypeError, "give one of rate_rad_s and angle_rad", {"imu": self.as_dict(angle_rad=None)}),

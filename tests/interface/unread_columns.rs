@@ -169,9 +169,17 @@ fn what_need_not_agree_is_no_contradiction() {
         ("GndSpd", |_: &Row| "0".to_owned(), ""),
         ("GndSpd", |_: &Row| "no fix".to_owned(), ""),
         // Of another kind: through the air, above the ground, of an antenna, magnetic, counted, and one cell that is no value.
-        ("Speed (m/s)", |row: &Row| (0.4 * row[4].hypot(row[5])).to_string(), "other than what flies: Speed (m/s)"),
+        (
+            "Speed (m/s)",
+            |row: &Row| (0.4 * row[4].hypot(row[5])).to_string(),
+            "other than what flies: Speed (m/s)",
+        ),
         ("speed", |row: &Row| (0.48 * row[4].hypot(row[5])).to_string(), "other than what flies: speed"),
-        ("elevation", |row: &Row| (300.0 + 200.0 * (row[0] / 7.0).sin()).to_string(), "other than what flies: elevation"),
+        (
+            "elevation",
+            |row: &Row| (300.0 + 200.0 * (row[0] / 7.0).sin()).to_string(),
+            "other than what flies: elevation",
+        ),
         ("alt", |row: &Row| (0.7 * row[3]).to_string(), "other than what flies: alt"),
         ("course", |row: &Row| (row[7] + 40.0).to_string(), "other than what flies: course"),
         ("heading", |row: &Row| (row[7] - 40.0).to_string(), "other than what flies: heading"),
@@ -201,7 +209,18 @@ fn what_need_not_agree_is_no_contradiction() {
     }
     // Northward, where degrees are no more than radians are.
     let north: Vec<Row> = (0..600)
-        .map(|k| [f64::from(k), 47.0 + 5e-4 * f64::from(k), 8.0, 900.0, 0.0, 55.6, 0.0, 2.5 + (0.1 * f64::from(k)).sin()])
+        .map(|k| {
+            [
+                f64::from(k),
+                47.0 + 5e-4 * f64::from(k),
+                8.0,
+                900.0,
+                0.0,
+                55.6,
+                0.0,
+                2.5 + (0.1 * f64::from(k)).sin(),
+            ]
+        })
         .collect();
     for name in ["course", "track (deg)", "heading"] {
         let log = read(name, &north, "", |row| format!("{:.1}", row[7]));

@@ -76,7 +76,7 @@ impl Search {
             (begin_s, end_s) = (begin_s.max(of_record.0), end_s.min(of_record.1));
             if begin_s >= end_s || first_s >= last_s {
                 let rule = Rule::Sentence("leaves the path and the record no time in common");
-                return Err(Error::invalid("request.offset_s", known_s, rule));
+                return Err(Error::invalid("request.shift_s", known_s, rule));
             }
         }
         let longest = blocks.iter().map(Block::length_s).fold(0.0, f64::max);

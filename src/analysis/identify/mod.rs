@@ -87,15 +87,15 @@ pub struct Request {
     /// Exchange of axes, one of [`Axes::exchanges`], if it is known.
     pub axes: Option<Matrix3<f64>>,
     /// Path time less record time \[s\], -1e12 to 1e12, if it is known to 10 s: the nearest shift that fits is taken.
-    pub offset_s: Option<f64>,
+    pub shift_s: Option<f64>,
 }
 
 impl Request {
     /// Checks every field.
     pub fn validate(&self) -> Result<(), Error> {
         self.prior.validate()?;
-        if let Some(offset_s) = self.offset_s {
-            check_range("request.offset_s", offset_s, -1e12, 1e12)?;
+        if let Some(shift_s) = self.shift_s {
+            check_range("request.shift_s", shift_s, -1e12, 1e12)?;
         }
         match &self.axes {
             Some(axes) if !Axes::exchanges().any(|exchange| exchange == *axes) => {

@@ -48,7 +48,7 @@ pub(super) fn identify(
     request.validate()?;
     let Blocks { blocks, interval_s } = Blocks::new(record)?;
     check_gaps(path, &blocks)?;
-    let search = Search::new(path, &blocks, request.offset_s)?;
+    let search = Search::new(path, &blocks, request.shift_s)?;
     check_stuck(&search, &blocks)?;
     if let Some(jump) = pieces::large(&search, path, &blocks)? {
         // Two shifts also fit better than one if the clock drifts: the fit tells.
@@ -88,7 +88,7 @@ fn refined(path: &IdealPath, blocks: &[Block], request: &Request, mut jump: Jump
     for _ in 0..JUMP_ROUNDS {
         let better = || {
             let moved = jump.undone(blocks)?;
-            let start = begin(path, &moved, &Search::new(path, &moved, request.offset_s)?, request)?;
+            let start = begin(path, &moved, &Search::new(path, &moved, request.shift_s)?, request)?;
             jump.better(path, blocks, &fit(path, &moved, request, start)?)
         };
         match better() {
@@ -110,25 +110,25 @@ fn begin(
     search: &Search,
     request: &Request,
 ) -> Result<(About, Axes), Error> {
-    let found = search.shift(path, blocks, request.offset_s)?;
+    let found = search.shift(path, blocks, request.shift_s)?;
     let axes_at = |offset_s: f64| find(path, blocks, offset_s, request.axes.as_ref(), &request.prior);
     let mut offset_s = found.best.offset_s;
     let at_best = axes_at(offset_s);
     let is_still = at_best.as_ref().is_ok_and(|matched| !matched.is_moving);
-    if request.offset_s.is_none() && !is_still {
+    if request.shift_s.is_none() && !is_still {
         check_common(path, blocks, offset_s)?;
     }
     let mut matched = at_best?;
     if !matched.is_moving {
         // Without motion a shift is not seen: the clock is taken for that of the path.
-        offset_s = request.offset_s.unwrap_or(0.0);
+        offset_s = request.shift_s.unwrap_or(0.0);
         matched = axes_at(offset_s)?;
     } else if let Some(other) = found.other {
         let rule = Rule::SentenceWith(
             "shift of the clock that fits, and so does another one; state the shift. The other one [s]:",
             other.offset_s.into(),
         );
-        return Err(Error::invalid("request.offset_s", found.best.offset_s, rule));
+        return Err(Error::invalid("request.shift_s", found.best.offset_s, rule));
     }
     if !matched.axes.is_seen && matched.axes.exchange != Matrix3::identity() {
         let rule = Rule::Sentence(

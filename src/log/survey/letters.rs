@@ -16,7 +16,7 @@ const PARTS: [(&str, usize, &str); 2] = [("latitude", LATITUDE, "lat"), ("longit
 
 /// Words of the names of columns with the minutes, and with the seconds, of an angle.
 const MINUTES: [&str; 5] = ["min", "mins", "minute", "minutes", "arcmin"];
-const SECONDS: [&str; 5] = ["sec", "secs", "second", "seconds", "arcsec"];
+const SECONDS: [&str; 6] = ["sec", "secs", "second", "seconds", "arcsec", "s"];
 
 impl Draft<'_> {
     /// The column with the letters of the hemisphere of a quantity in column `place`, if its numbers have not their signs anyway.
@@ -148,7 +148,13 @@ impl Draft<'_> {
             let motion = self.motion().filter(|motion| motion.is_timed && self.value("time").is_some());
             let speed = motion.and_then(|motion| motion.speed(&READINGS[0], false, self.time_si()));
             let is_of_vehicle = speed.is_some_and(|speed| speed <= *SPEEDS.end());
-            if is_of_vehicle {
+            // Whole minutes alone lack their seconds.
+            let is_complete = |[minutes, seconds]: &[Option<usize>; 2]| {
+                let is_whole =
+                    |minutes: usize| self.grid.numbers(minutes).iter().all(|own| own.fract() == 0.0);
+                seconds.is_some() || !minutes.is_some_and(is_whole)
+            };
+            if is_of_vehicle && [latitude, longitude].iter().all(is_complete) {
                 return PARTS
                     .iter()
                     .zip([latitude, longitude])
@@ -346,8 +352,13 @@ mod tests {
             "{degrees:?}"
         );
         assert!(read("47,,15").is_err());
+        let signed = read("-47,-18,-15").unwrap();
+        assert_eq!(signed.samples()[0].place.latitude_rad, -log.samples()[0].place.latitude_rad);
         for (cells, column, words) in [
             ("47,60.1,0", 3, "expected minutes"),
+            ("47.3,18,1", 3, "expected whole degrees beside minutes, found 47.3"),
+            ("47,18.5,1", 4, "expected whole minutes beside seconds, found 18.5"),
+            ("47,-18,1", 3, "expected minutes"),
             ("47,18,-1", 4, "expected seconds"),
             ("47,x,1", 3, "found \"x\""),
         ] {

@@ -43,7 +43,8 @@ const COARSEST: f64 = 0.3;
 const OVER_GROUND: [&str; 5] = ["groundspeed", "gndspd", "gspeed", "gs", "sog"];
 
 /// Sizes of the numbers of a time by that of what flies: seconds, and what counts hours, minutes, days and parts of a second.
-const CLOCKS: [f64; 11] = [1.0, 1e3, 1e6, 1e9, 1e7, 1e4, 10.0, 100.0, 1.0 / 60.0, 1.0 / 3600.0, 1.0 / 86400.0];
+const CLOCKS: [f64; 11] =
+    [1.0, 1e3, 1e6, 1e9, 1e7, 1e4, 10.0, 100.0, 1.0 / 60.0, 1.0 / 3600.0, 1.0 / 86400.0];
 const CLOCK_FITS: f64 = 0.06;
 
 /// Steps of a time over which its rate is told.

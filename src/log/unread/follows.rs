@@ -121,7 +121,8 @@ impl Compared<'_> {
             return near.map_or(Said::Unlike, |_| Said::Agrees("height".to_owned()));
         }
         // So are one of the ground, and an elevation that is an angle.
-        let Some(Follows { correlation, ratio }) = follows.filter(|follows| follows.correlation > FOLLOWS) else {
+        let Some(Follows { correlation, ratio }) = follows.filter(|follows| follows.correlation > FOLLOWS)
+        else {
             return Said::Unlike;
         };
         match self.near(ratio, Dimension::Length, NEAR_UNIT) {

@@ -106,12 +106,12 @@ fn a_short_record_is_found_on_a_long_path() {
     }
     for off_s in [0.0, 7.0] {
         let offset_s = Some(unit.behind_s + off_s);
-        let one = identify(&path, &record, &Request { offset_s, ..Default::default() }).unwrap();
+        let one = identify(&path, &record, &Request { shift_s: offset_s, ..Default::default() }).unwrap();
         assert!((one.offset_s.value - unit.behind_s).abs() < 1e-3, "{off_s}: {:?}", one.offset_s);
     }
-    let error = identify(&path, &record, &Request { offset_s: Some(1e6), ..Default::default() });
+    let error = identify(&path, &record, &Request { shift_s: Some(1e6), ..Default::default() });
     assert_eq!(
         error.unwrap_err().to_string(),
-        "request.offset_s = 1000000: leaves the path and the record no time in common"
+        "request.shift_s = 1000000: leaves the path and the record no time in common"
     );
 }

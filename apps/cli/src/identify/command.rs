@@ -116,7 +116,7 @@ impl Order {
             return Err(Failure::new(format!("--shift {shift}: expected a finite number of seconds")));
         }
         let axes = self.axes.as_deref().map(axes).transpose()?;
-        Ok(Request { prior: Prior::of(grade), axes, offset_s: self.shift })
+        Ok(Request { prior: Prior::of(grade), axes, shift_s: self.shift })
     }
 }
 
@@ -153,7 +153,7 @@ mod tests {
     fn what_is_known_is_read() {
         let known = request(&["--axes", "-y x z", "--shift", "-3.5", "--prior", "tactical"]).unwrap();
         assert_eq!(known.axes, Some(Matrix3::new(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)));
-        assert_eq!((known.offset_s, known.prior), (Some(-3.5), Prior::of(Grade::Tactical)));
+        assert_eq!((known.shift_s, known.prior), (Some(-3.5), Prior::of(Grade::Tactical)));
         assert_eq!(
             parsed::<Order>(&["a", "--imu", "d/b.csv"]).unwrap().output(),
             PathBuf::from("d/b_sensor.toml")

@@ -156,7 +156,7 @@ fn sentence(error: &Error, record: &Record, order: &Order) -> String {
         ("record.velocity", Some(value)) if is_size && unit(value).is_none() && value < 0.7 => {
             "; has gravity been taken out, or is a sensor beyond its range?".to_owned()
         }
-        ("request.offset_s", _) => " (--shift)".to_owned(),
+        ("request.shift_s", _) => " (--shift)".to_owned(),
         ("request.axes", _) => " (--axes)".to_owned(),
         (_, value) => value.and_then(unit).unwrap_or_default(),
     };
