@@ -125,7 +125,10 @@ fn every_door_names_a_column_that_looks_like_a_quantity() {
         );
     }
     let said = done(&folder, &["log", "unread.csv"]);
-    assert!(said.contains("note: vu is not read; is it velocity_up_m_s?\nnothing is doubtful\n"), "{said}");
+    let agreement = "not read, and in agreement with what flies: ve (east in m/s), vn (north in m/s)";
+    for words in ["note: vu is not read; is it velocity_up_m_s?\n", agreement, "\nnothing is doubtful\n"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
 }
 
 #[test]
