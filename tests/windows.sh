@@ -30,7 +30,7 @@ run_in() {
     "$WINESERVER" -p60 >/dev/null 2>&1 || true # fails if a server already runs
     "$wine" "$1/sentences.exe" >"$WINEPREFIX/log" 2>&1 || true
     for name in $programs; do
-        "$wine" "$1/$name.exe" "$1/sins.dll" "$1/second.dll" || { cat "$WINEPREFIX/log"; exit 1; }
+        "$wine" "$1/$name.exe" "$1/sins.dll" "$1/second.dll" || { echo "$name ended with $?"; cat "$WINEPREFIX/log"; exit 1; }
     done
     tests/loading.sh "$2-w64-mingw32-gcc -std=c99" "$1/sins.dll" "$wine"
 }

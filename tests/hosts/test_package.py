@@ -632,7 +632,11 @@ class Identification(unittest.TestCase):
         interval_s = float(np.median(np.diff(self.imu["time_s"])))
         rates = self.as_dict(angle_rad=None, velocity_m_s=None, rate_rad_s=self.imu["measured_angle_rad"] / interval_s,
                              force_m_s2=self.imu["measured_velocity_m_s"] / interval_s)
-        expected, found = (sins.identify("aerobatics", imu, **self.path) for imu in (self.imu, rates))
+        rows = np.zeros(len(self.imu), [("time_s", float), ("rate_rad_s", float, 3), ("force_m_s2", float, 3)])
+        for name in rows.dtype.names:
+            rows[name] = rates[name]
+        expected, found, same = (sins.identify("aerobatics", imu, **self.path) for imu in (self.imu, rates, rows))
+        self.assertEqual(same.parameters, found.parameters)
         for one, other in zip(expected.parameters, found.parameters):
             self.assertAlmostEqual(other.value, one.value, delta=1e-3 * max(one.sigma, abs(one.value)))
 

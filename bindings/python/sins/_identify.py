@@ -78,6 +78,8 @@ def _increments(imu: Any) -> "npt.NDArray[Any]":
     if getattr(getattr(imu, "dtype", None), "names", None) and "measured_angle_rad" in imu.dtype.names:
         imu = {"time_s": imu["time_s"], "interval_s": imu["interval_s"], "angle_rad": imu["measured_angle_rad"],
                "velocity_m_s": imu["measured_velocity_m_s"]}
+    elif getattr(getattr(imu, "dtype", None), "names", None):
+        imu = {name: imu[name] for name in imu.dtype.names}
     if "time_s" not in imu:
         raise TypeError("no time_s in the record")
     time_s = numbers("time_s", imu["time_s"])
