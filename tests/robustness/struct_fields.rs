@@ -324,6 +324,25 @@ fn units(tried: &mut Tried) {
     tried.each_word(&inputs, &[], &due, null(), &|bad| words(status.pointer(), navigation.pointer(), bad));
 }
 
+/// What is known of real sensors, and the increments that they measured.
+fn sensors(tried: &mut Tried) {
+    let made = Cell::new(null_mut());
+    let address = || vec![made.get() as u64];
+    // SAFETY: the functions read `T`s and write a handle.
+    unsafe {
+        // Grade and axes; axes; shift of the clock.
+        let request = Words::new::<sins_identify_request>(SINS_IDENTIFY_SHIFT);
+        tried.each_word(&request, &[], &address, null(), &|words| {
+            sins_identify_create(null(), words, made.as_ptr())
+        });
+        let increment = Words::new::<sins_recorded_increment>(0).with(2, 0.01);
+        tried.each_word(&increment, &[], &address, null(), &|words| {
+            sins_identify_push_increments(made.get(), words, 1)
+        });
+        assert_eq!(sins_identify_destroy(made.get()), SINS_OK);
+    }
+}
+
 /// Calls `call` with the words as its output.
 fn written(words: &Cell<Vec<u64>>, call: impl FnOnce(*mut u64) -> sins_status) -> sins_status {
     let mut inside = words.take();
@@ -370,6 +389,7 @@ fn every_field_of_every_struct() {
     flights(&mut tried);
     questions(&mut tried);
     units(&mut tried);
+    sensors(&mut tried);
     println!("{} bad values refused", tried.refused);
     let mut expected = structs_that_come_in();
     // sins_statistics has integers alone: c/ensemble.c and statistics.rs damage it.
