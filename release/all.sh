@@ -16,7 +16,6 @@ if [ -n "$(git status --porcelain)" ]; then
     git status --short >&2
     exit 1
 fi
-umask 022
 dist=$PWD/target/dist
 staging=$PWD/target/release-all
 rm -rf "$dist" "$staging"
