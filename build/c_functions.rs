@@ -10,7 +10,7 @@ const HEAD: &str = "\
  *   #define DECLARE(result, name, arguments) result (SINS_CALL *name) arguments;
  *   struct functions { SINS_FUNCTIONS(DECLARE) };
  *
- * SINS_FUNCTIONS_SCENES are those that a library without the feature \"scenes\" lacks.
+ * SINS_FUNCTIONS_SCENES are those that a library without the feature \"scenes\" lacks, SINS_FUNCTIONS_IDENTIFY without \"identify\".
  *
  * This file is written by build/ from the Rust sources; do not edit it.
  */
@@ -23,15 +23,17 @@ const HEAD: &str = "\
 ";
 
 pub fn write(interface: &Interface) -> String {
-    let table = |name: &str, is_of_scenes: bool| {
-        let functions = interface.functions.iter().filter(|one| one.is_of_scenes() == is_of_scenes);
+    let table = |name: &str, feature: Option<&str>| {
+        let functions = interface.functions.iter().filter(|one| one.feature == feature);
         let rows: Vec<String> = functions.map(|one| row(interface, one)).collect();
         format!("#define {name}(X) \\\n{}\n", rows.join(" \\\n"))
     };
-    let engine = table("SINS_FUNCTIONS_ENGINE", false);
-    let scenes = table("SINS_FUNCTIONS_SCENES", true);
+    let engine = table("SINS_FUNCTIONS_ENGINE", None);
+    let scenes = table("SINS_FUNCTIONS_SCENES", Some("scenes"));
+    let identify = table("SINS_FUNCTIONS_IDENTIFY", Some("identify"));
     format!(
-        "{HEAD}\n{engine}\n{scenes}\n#define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X)\n\n\
+        "{HEAD}\n{engine}\n{scenes}\n{identify}\n\
+         #define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X) SINS_FUNCTIONS_IDENTIFY(X)\n\n\
          #endif /* SINS_FUNCTIONS_H */\n"
     )
 }

@@ -56,13 +56,17 @@ pub fn generate(abi: &Path, generated: &[(String, String)], work: &Path) -> Outp
     });
     let sources: Vec<Source> = sources.collect();
     let interface = Interface::read(HEADERS[0].1, &sources);
+    // JavaScript comes with a module of its own, which may have less.
+    let is_on =
+        |feature: &str| std::env::var_os(format!("CARGO_FEATURE_{}", feature.to_uppercase())).is_some();
+    let module = Interface::read(HEADERS[0].1, sources.iter().filter(|one| one.feature().is_none_or(is_on)));
     Outputs {
         headers: headers(&templates, &interface, &sources, work),
         bindings: [
             ("sins.f90", fortran::write(&interface)),
             ("sins.ads", ada::write(&interface)),
-            ("sins.mjs", javascript::write(&interface)),
-            ("sins.d.ts", typescript::write(&interface)),
+            ("sins.mjs", javascript::write(&module)),
+            ("sins.d.ts", typescript::write(&module)),
         ]
         .into_iter()
         .chain(python::write(&interface))

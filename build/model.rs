@@ -57,6 +57,8 @@ pub struct Function {
     pub doc: Vec<String>,
     pub arguments: Vec<Variable>,
     pub result: Type,
+    /// Of Cargo; a library without it lacks the function.
+    pub feature: Option<&'static str>,
 }
 
 /// A field of a struct, or an argument of a function, which has no documentation of its own.
@@ -132,11 +134,6 @@ impl Struct {
 }
 
 impl Function {
-    /// Whether a library without the feature `scenes` lacks it.
-    pub fn is_of_scenes(&self) -> bool {
-        ["sins_scene_", "sins_log_"].iter().any(|part| self.name.starts_with(part))
-    }
-
     /// Whether an argument points to an array: a number of elements follows it.
     pub fn is_array(&self, argument: usize) -> bool {
         self.arguments.get(argument + 1).is_some_and(|next| next.kind == Type::Size)

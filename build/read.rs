@@ -10,11 +10,11 @@ pub const FLAT: &str = "Flat in C.";
 
 impl Interface {
     /// Of the sources in their order, and of the units of the header.
-    pub fn read(preamble: &str, sources: &[Source]) -> Self {
+    pub fn read<'a>(preamble: &str, sources: impl IntoIterator<Item = &'a Source>) -> Self {
         let mut interface = Self { units: super::header_units::read(preamble), ..Self::default() };
         let mut structs = Vec::new();
-        for item in sources.iter().flat_map(|source| &source.items) {
-            interface.add(item, &mut structs);
+        for source in sources {
+            source.items.iter().for_each(|item| interface.add(item, source.feature(), &mut structs));
         }
         for index in 0..interface.functions.len() {
             let needed: Vec<String> =
@@ -24,7 +24,7 @@ impl Interface {
         interface
     }
 
-    fn add(&mut self, item: &Item, structs: &mut Vec<Struct>) {
+    fn add(&mut self, item: &Item, feature: Option<&'static str>, structs: &mut Vec<Struct>) {
         match item {
             Item::Type(item) if is_public(&item.vis) => {
                 let (name, kind, doc) = (item.ident.to_string(), Type::of(&item.ty), doc(&item.attrs));
@@ -67,6 +67,7 @@ impl Interface {
                     doc: doc(&item.attrs),
                     arguments: arguments.collect(),
                     result: Type::of(result),
+                    feature,
                 });
             }
             _ => {}

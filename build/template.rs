@@ -20,6 +20,17 @@ pub struct Source {
     pub items: Vec<syn::Item>,
 }
 
+impl Source {
+    /// The feature of Cargo without which a library lacks its functions: as in `src/abi/mod.rs`.
+    pub fn feature(&self) -> Option<&'static str> {
+        match self.name.split('/').next() {
+            Some("scene") => Some("scenes"),
+            Some("identify") => Some("identify"),
+            _ => None,
+        }
+    }
+}
+
 impl Template {
     pub fn new(name: &'static str, text: &str) -> Self {
         let mut parts = Vec::new();

@@ -43,8 +43,10 @@ typedef void *sins_loader_address;
 
 typedef struct sins_loader {
     sins_loader_library library;
-    /* 1: all functions. 0: a library without the feature "scenes"; the members sins_scene_... and sins_log_... are NULL. */
+    /* 0: a library without the feature "scenes"; those of sins_scene.h are NULL. */
     int has_scenes;
+    /* 0: a library without the feature "identify"; those of sins_identify_... are NULL. */
+    int has_identify;
 #define SINS_LOADER_MEMBER(result, name, arguments) result(SINS_CALL *name) arguments;
     SINS_FUNCTIONS(SINS_LOADER_MEMBER)
 #undef SINS_LOADER_MEMBER
@@ -134,6 +136,10 @@ SINS_LOADER_INLINE const char *sins_loader_find_all(sins_loader *loader)
     loader->has_scenes = sins_loader_look_up(loader->library, "sins_scene_create") != NULL;
     if (loader->has_scenes) {
         SINS_FUNCTIONS_SCENES(SINS_LOADER_FIND)
+    }
+    loader->has_identify = sins_loader_look_up(loader->library, "sins_identify_create") != NULL;
+    if (loader->has_identify) {
+        SINS_FUNCTIONS_IDENTIFY(SINS_LOADER_FIND)
     }
 #undef SINS_LOADER_FIND
     return NULL;

@@ -73,11 +73,11 @@ at_rest() {
 
 # scenes.md, host_time.md, hosts.md, packages.md
 library_sizes() {
-    local feature
-    for feature in "" --no-default-features; do
-        cargo rustc --release --lib --crate-type cdylib $feature
+    local features
+    for features in scenes,identify scenes ""; do
+        cargo rustc --release --lib --crate-type cdylib --no-default-features --features "$features"
         strip -o "$figures/libsins.so" target/release/libsins.so
-        stat -c "%s bytes $feature" "$figures/libsins.so"
+        stat -c "%s bytes: $features" "$figures/libsins.so"
     done
     cargo rustc --release --lib --crate-type cdylib
 }
@@ -128,8 +128,9 @@ stated() {
 check() {
     local off=0 number='\([0-9 ]*\)'
     library_sizes | tee "$figures/library_sizes.txt"
-    stated "$(sed -n 's/ bytes $//p' "$figures/library_sizes.txt")" docs/scenes.md "| with scenes | $number |"
-    stated "$(sed -n 's/ bytes --no-default-features$//p' "$figures/library_sizes.txt")" docs/scenes.md "| without scenes | $number |"
+    stated "$(sed -n 's/ bytes: scenes,identify$//p' "$figures/library_sizes.txt")" docs/scenes.md "| with both | $number |"
+    stated "$(sed -n 's/ bytes: scenes$//p' "$figures/library_sizes.txt")" docs/scenes.md "| with scenes | $number |"
+    stated "$(sed -n 's/ bytes: $//p' "$figures/library_sizes.txt")" docs/scenes.md "| with none | $number |"
     release/page.sh "$figures"
     stated "$(stat -c %s "$figures/sins.html")" docs/web.md 'The file has \([0-9.]*\) MB' 1e6
     return $off

@@ -2,6 +2,8 @@
  * sins_analysis.h - questions about a flight: which options it needs, which effects of the sensors matter, and which errors
  * real sensors have. The conventions are those of sins.h.
  *
+ * A library that was built without the feature "identify" lacks all functions sins_identify_....
+ *
  * build/ writes this file; do not edit it.
  */
 

@@ -4,7 +4,7 @@
  *   #define DECLARE(result, name, arguments) result (SINS_CALL *name) arguments;
  *   struct functions { SINS_FUNCTIONS(DECLARE) };
  *
- * SINS_FUNCTIONS_SCENES are those that a library without the feature "scenes" lacks.
+ * SINS_FUNCTIONS_SCENES are those that a library without the feature "scenes" lacks, SINS_FUNCTIONS_IDENTIFY without "identify".
  *
  * This file is written by build/ from the Rust sources; do not edit it.
  */
@@ -75,13 +75,6 @@
     X(sins_status, sins_judge_destroy, (sins_judge *judge)) \
     X(sins_status, sins_recommend, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_requirement *requirement, sins_options *options, sins_cost *cost)) \
     X(sins_status, sins_error_budget, (const sins_sim *configured, const sins_flight_sample *samples, size_t count, const sins_budget_request *request, sins_budget_row *rows, size_t capacity, size_t *written, sins_budget *budget)) \
-    X(sins_status, sins_identify_create, (const sins_options *options, const sins_identify_request *request, sins_identify **identify)) \
-    X(sins_status, sins_identify_push_samples, (sins_identify *identify, const sins_flight_sample *samples, size_t count)) \
-    X(sins_status, sins_identify_push_increments, (sins_identify *identify, const sins_recorded_increment *increments, size_t count)) \
-    X(sins_status, sins_identify_solve, (sins_identify *identify, sins_identified *identified)) \
-    X(sins_status, sins_identify_get_parameter, (const sins_identify *identify, size_t index, sins_identified_parameter *parameter)) \
-    X(sins_status, sins_identify_get_scene, (const sins_identify *identify, char *buffer, size_t capacity, size_t *needed)) \
-    X(sins_status, sins_identify_destroy, (sins_identify *identify)) \
     X(sins_status, sins_unit_create, (const sins_unit_params *params, int32_t mode, sins_unit **unit)) \
     X(sins_status, sins_unit_destroy, (sins_unit *unit)) \
     X(sins_status, sins_unit_set_params, (sins_unit *unit, const sins_unit_params *params)) \
@@ -126,20 +119,7 @@
     X(sins_status, sins_meets, (const sins_statistics *statistics, double radius_m, double percent, sins_verdict *verdict)) \
     X(sins_status, sins_ensemble_snapshot_size, (sins_ensemble *ensemble, size_t *size)) \
     X(sins_status, sins_ensemble_snapshot_save, (sins_ensemble *ensemble, void *buffer, size_t capacity, size_t *written)) \
-    X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size)) \
-    X(sins_status, sins_judge_push_log, (sins_judge *judge, const sins_log *log)) \
-    X(sins_status, sins_play_create, (const sins_scene *scene, const sins_log *log, sins_play **play)) \
-    X(sins_status, sins_play_next, (sins_play *play)) \
-    X(sins_status, sins_play_push, (sins_play *play, const sins_flight_sample *sample)) \
-    X(sins_status, sins_play_run, (sins_play *play, sins_record *records, size_t capacity, size_t *written)) \
-    X(sins_status, sins_play_run_imu, (sins_play *play, sins_imu *imu, size_t capacity, size_t *written)) \
-    X(sins_status, sins_play_set_plan, (sins_play *play, const sins_scene *scene)) \
-    X(sins_status, sins_play_get_simulator, (sins_play *play, sins_sim **sim)) \
-    X(sins_status, sins_play_get_unit, (sins_play *play, sins_unit **unit)) \
-    X(sins_status, sins_play_get_shown, (sins_play *play, sins_unit_status *status, sins_unit_navigation *navigation)) \
-    X(sins_status, sins_play_destroy, (sins_play *play)) \
-    X(sins_status, sins_play_snapshot_save, (sins_play *play, void *buffer, size_t capacity, size_t *written)) \
-    X(sins_status, sins_play_snapshot_load, (sins_play *play, const void *snapshot, size_t size))
+    X(sins_status, sins_ensemble_snapshot_load, (sins_ensemble *ensemble, const void *snapshot, size_t size))
 
 #define SINS_FUNCTIONS_SCENES(X) \
     X(sins_status, sins_scene_create, (sins_scene **scene)) \
@@ -172,9 +152,31 @@
     X(sins_status, sins_log_create, (const sins_flight_sample *samples, size_t count, sins_log **log)) \
     X(sins_status, sins_log_get_info, (const sins_log *log, sins_log_info *info)) \
     X(sins_status, sins_log_get_sample, (const sins_log *log, size_t index, sins_flight_sample *sample, uint64_t *line)) \
+    X(sins_status, sins_judge_push_log, (sins_judge *judge, const sins_log *log)) \
     X(sins_status, sins_log_destroy, (sins_log *log)) \
-    X(sins_status, sins_scene_get_samples, (const sins_scene *scene, const sins_log *log, sins_scene_samples *samples))
+    X(sins_status, sins_scene_get_samples, (const sins_scene *scene, const sins_log *log, sins_scene_samples *samples)) \
+    X(sins_status, sins_play_create, (const sins_scene *scene, const sins_log *log, sins_play **play)) \
+    X(sins_status, sins_play_next, (sins_play *play)) \
+    X(sins_status, sins_play_push, (sins_play *play, const sins_flight_sample *sample)) \
+    X(sins_status, sins_play_run, (sins_play *play, sins_record *records, size_t capacity, size_t *written)) \
+    X(sins_status, sins_play_run_imu, (sins_play *play, sins_imu *imu, size_t capacity, size_t *written)) \
+    X(sins_status, sins_play_set_plan, (sins_play *play, const sins_scene *scene)) \
+    X(sins_status, sins_play_get_simulator, (sins_play *play, sins_sim **sim)) \
+    X(sins_status, sins_play_get_unit, (sins_play *play, sins_unit **unit)) \
+    X(sins_status, sins_play_get_shown, (sins_play *play, sins_unit_status *status, sins_unit_navigation *navigation)) \
+    X(sins_status, sins_play_destroy, (sins_play *play)) \
+    X(sins_status, sins_play_snapshot_save, (sins_play *play, void *buffer, size_t capacity, size_t *written)) \
+    X(sins_status, sins_play_snapshot_load, (sins_play *play, const void *snapshot, size_t size))
 
-#define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X)
+#define SINS_FUNCTIONS_IDENTIFY(X) \
+    X(sins_status, sins_identify_create, (const sins_options *options, const sins_identify_request *request, sins_identify **identify)) \
+    X(sins_status, sins_identify_push_samples, (sins_identify *identify, const sins_flight_sample *samples, size_t count)) \
+    X(sins_status, sins_identify_push_increments, (sins_identify *identify, const sins_recorded_increment *increments, size_t count)) \
+    X(sins_status, sins_identify_solve, (sins_identify *identify, sins_identified *identified)) \
+    X(sins_status, sins_identify_get_parameter, (const sins_identify *identify, size_t index, sins_identified_parameter *parameter)) \
+    X(sins_status, sins_identify_get_scene, (const sins_identify *identify, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_identify_destroy, (sins_identify *identify))
+
+#define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X) SINS_FUNCTIONS_IDENTIFY(X)
 
 #endif /* SINS_FUNCTIONS_H */

@@ -11,9 +11,9 @@
  *         ...                                                          SINS_PLAY_END: the flight is over
  *     sins_play_get_simulator(play, &sim);           for every read
  *
- * A library that was built without the feature "scenes" lacks all functions sins_scene_..., sins_log_... and sins_play_.... A program that
- * calls them directly does not link with such a library, or does not start. A program that loads the library at run time looks
- * up sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
+ * A library that was built without the feature "scenes" lacks all functions of this header. A program that calls them directly
+ * does not link with such a library, or does not start. A program that loads the library at run time looks up
+ * sins_scene_create by dlsym() or GetProcAddress(): if it is not found, there are no scenes. All else is the same.
  *
  * build/ writes this file; do not edit it.
  */

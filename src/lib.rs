@@ -48,7 +48,7 @@
 //! | [`errors`] | error data 2 (`difference`) and 1 (`model`, equations (4)-(6)); the covariance of the errors along the same truth ([`errors::covariance`]); errors that the host estimated, removed ([`errors::correction`]) |
 //! | `simulator` | the blocks of the paper's figure 1 put together |
 //! | [`ensemble`] | many runs of one simulator over the same samples; the statistics of their errors ([`ensemble::statistics`]) |
-//! | [`analysis`] | the cheapest options that meet an accuracy ([`analysis::recommend`]), the share of each effect in the errors ([`analysis::budget`]), the errors of real sensors from a record ([`analysis::identify`]) |
+//! | [`analysis`] | the cheapest options that meet an accuracy ([`analysis::recommend`]), the share of each effect in the errors ([`analysis::budget`]), the errors of real sensors from a record ([`analysis::identify`], feature `identify`) |
 //! | [`unit`] | an INS as an aircraft knows it: modes, alignment, status; its words of ARINC 429 ([`unit::bus`]) |
 //! | `scene` | a whole scene as text, its failures and updates (feature `scenes`) |
 //! | [`abi`] | the C interface; its handles and locks (`abi::boundary`) |

@@ -81,7 +81,8 @@ case $machine in
         ;;
 esac
 
-without lean 's/sins_scene_/sins_scenX_/g; s/sins_log_/sins_loX_/g'
+# The last letter of all functions that a library without features lacks.
+without lean "$(sed '1,/SINS_FUNCTIONS_SCENES(X)/d' include/sins_functions.h | sed -nE 's/^ *X\([^,]*, (sins_[a-z_]+)([a-z]), .*/s\/\\x00\1\2\\x00\/\\x00\1X\\x00\/g/p')"
 without old_engine 's/\x00sins_step\x00/\x00sins_steX\x00/g'
 without old_scenes 's/\x00sins_scene_prepare\x00/\x00sins_scene_preparX\x00/g'
 export_c='#if defined(__cplusplus)

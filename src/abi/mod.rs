@@ -33,6 +33,7 @@ mod failure;
 #[cfg(sins_fault_injection)]
 mod fault;
 mod flight;
+#[cfg(feature = "identify")]
 mod identify;
 mod imu;
 mod judge;
@@ -77,6 +78,7 @@ pub use failure::*;
 #[cfg(sins_fault_injection)]
 pub use fault::sins_inject_panic;
 pub use flight::*;
+#[cfg(feature = "identify")]
 pub use identify::*;
 pub use imu::*;
 pub use judge::*;
@@ -102,8 +104,8 @@ pub use unit::*;
 pub use unit_status::*;
 pub use version::*;
 
-// That the sizes which the header states are those of the structs; a library without scenes lacks some of these.
-#[cfg(feature = "scenes")]
+// That the sizes which the header states are those of the structs; a smaller library lacks some of these.
+#[cfg(all(feature = "scenes", feature = "identify"))]
 include!(concat!(env!("OUT_DIR"), "/sizes.rs"));
 
 #[cfg(test)]

@@ -2,5 +2,6 @@
 //! effect, and the errors of real sensors from a record.
 
 pub mod budget;
+#[cfg(feature = "identify")]
 pub mod identify;
 pub mod recommend;

@@ -55,8 +55,10 @@ pub use alignment::{Aligned, Sensed, level, level_and_gyrocompass};
 pub use altimeter::{Altimeter, AltimeterParameters};
 pub use altimeter_table::ALTIMETER;
 pub use draw::StandardNormal;
+#[cfg(feature = "identify")]
+pub(crate) use effects::MarkovStep;
 pub use effects::{EFFECTS, EffectPlace, FLICKER_PROCESSES};
-pub(crate) use effects::{Kind, MarkovStep, OF_SIGNAL, SharedInput, StateRows, element_sigmas};
+pub(crate) use effects::{Kind, OF_SIGNAL, SharedInput, StateRows, element_sigmas};
 pub(crate) use failing::FailingTriad;
 pub(crate) use failure::FailureFields;
 pub use failure::{Axis, Failure, SensorOutput};

@@ -12,7 +12,7 @@ mod covariance;
 #[cfg(feature = "scenes")]
 mod covariance_runs;
 mod error_budget;
-#[cfg(feature = "scenes")]
+#[cfg(all(feature = "scenes", feature = "identify"))]
 mod identify;
 #[cfg(feature = "scenes")]
 mod judge;

@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::registry::Registry;
+#[cfg(feature = "identify")]
 use crate::analysis::identify::Feed;
 use crate::ensemble::Ensemble;
 use crate::judge::Judge;
@@ -29,6 +30,7 @@ pub(in crate::abi) static PLAYS: Registry<PlayHandles, 7> = Registry::new();
 /// Judges, each made as simulators are.
 pub(in crate::abi) static JUDGES: Registry<Box<[Judge; 1]>, 8> = Registry::new();
 /// Paths with their records, likewise.
+#[cfg(feature = "identify")]
 pub(in crate::abi) static IDENTIFIES: Registry<Box<[Feed; 1]>, 9> = Registry::new();
 
 /// The result of reading a text: a scene, unless the text has faults.
@@ -64,12 +66,15 @@ pub(in crate::abi) fn is_inside_a_handle() -> bool {
     if SCENES.is_in_use_here() || LOGS.is_in_use_here() || PLAYS.is_in_use_here() {
         return true;
     }
+    #[cfg(feature = "identify")]
+    if IDENTIFIES.is_in_use_here() {
+        return true;
+    }
     SIMULATORS.is_in_use_here()
         || FLIGHTS.is_in_use_here()
         || ENSEMBLES.is_in_use_here()
         || UNITS.is_in_use_here()
         || JUDGES.is_in_use_here()
-        || IDENTIFIES.is_in_use_here()
 }
 
 /// Called in a forked process: objects that other threads had in use are lost.
@@ -80,6 +85,7 @@ pub(in crate::abi) fn lose_what_others_use() {
     ENSEMBLES.lose_what_others_use();
     UNITS.lose_what_others_use();
     JUDGES.lose_what_others_use();
+    #[cfg(feature = "identify")]
     IDENTIFIES.lose_what_others_use();
     #[cfg(feature = "scenes")]
     {
