@@ -9,9 +9,9 @@ use super::{DEG, Draws, G, Unit, drawn, flight, times};
 
 /// Flights and their parts [s]: half of the record is identified, the other half is checked.
 const FLIGHTS: [(&str, (f64, f64)); 2] = [("aerobatics", (0.0, 400.0)), ("racetrack", (200.0, 700.0))];
-const TRIALS: u64 = if cfg!(feature = "long-tests") { 200 } else { 12 };
+const TRIALS: u64 = if cfg!(feature = "long-tests") { 200 } else { 6 };
 /// Models with other noise, of each kind.
-const MODELS: u64 = if cfg!(feature = "long-tests") { 8 } else { 2 };
+const MODELS: u64 = if cfg!(feature = "long-tests") { 8 } else { 1 };
 
 /// A flight, its part and its truth.
 fn flown((name, span_s): (&str, (f64, f64))) -> (Flight, (f64, f64), Truth) {

@@ -259,7 +259,7 @@ fn what_was_found_flies() {
     let mut state = 7;
     let mut from = |low: f64, high: f64| low * (high / low).powf(uniform(&mut state));
     let (mut points, mut apart) = (0, 0);
-    for seed in ["1", "2", "3", "4"] {
+    for seed in ["1", "2"] {
         let mut axes =
             |low: f64, high: f64| format!("[{}, {}, {}]", from(low, high), from(low, high), from(low, high));
         let scene = format!(
@@ -303,7 +303,7 @@ fn what_was_found_flies() {
         }
     }
     println!("{apart} of {points} deviations lie apart");
-    assert!(points > 24 * 30 && apart == 0, "{apart} of {points}");
+    assert!(points > 12 * 30 && apart == 0, "{apart} of {points}");
 }
 
 /// An axis without noise stays an axis.

@@ -70,39 +70,46 @@ fn a_dependence_of_neighbours_leaves_the_noise_as_it_is() {
         ("N and K", Coefficients { n: 1e-3, k: 3e-4, ..Default::default() }),
         ("N and B", Coefficients { n: 1e-3, b: 5e-4, ..Default::default() }),
     ];
-    for (filter, record, is_right) in RECORDS {
-        let mut estimator = None;
-        for (name, truth) in truths {
-            let (mut held, mut reported, mut explained, mut used_from, mut named) =
-                ([0_u32; TERMS], [0_u32; TERMS], 0, 0, 0);
-            for run in 0..RUNS {
-                let record = record(&truth, &mut Normal::new(u64::from(run)));
-                let estimator = estimator.get_or_insert_with(|| Estimator::new(record.len(), DT).unwrap());
-                let found = estimator.estimate(&record).unwrap();
-                if !found.is_explained {
-                    continue;
-                }
-                explained += 1;
-                used_from += found.fit.first;
-                named += u32::from(estimator.filter(&found).is_none_or(is_right));
-                for term in 1..TERMS {
-                    let interval = found.interval(Term::ALL[term], 0.95);
-                    held[term] += u32::from(interval.contains(truth.squares()[term]));
-                    reported[term] += 1;
-                    assert!(interval.low < interval.high, "{filter}, {name}: {interval:?}");
-                }
+    std::thread::scope(|scope| {
+        for halves in RECORDS.chunks(RECORDS.len() / 2) {
+            scope.spawn(|| halves.iter().for_each(|record| holds(record, &truths)));
+        }
+    });
+}
+
+/// The figures of the runs of a record.
+fn holds(&(filter, record, is_right): &(&str, Record, IsRight), truths: &[(&str, Coefficients)]) {
+    let mut estimator = None;
+    for (name, truth) in truths {
+        let (mut held, mut reported, mut explained, mut used_from, mut named) =
+            ([0_u32; TERMS], [0_u32; TERMS], 0, 0, 0);
+        for run in 0..RUNS {
+            let record = record(truth, &mut Normal::new(u64::from(run)));
+            let estimator = estimator.get_or_insert_with(|| Estimator::new(record.len(), DT).unwrap());
+            let found = estimator.estimate(&record).unwrap();
+            if !found.is_explained {
+                continue;
             }
-            println!(
-                "{filter}, {name}: explained {explained} of {RUNS}, from place {used_from}/{RUNS}, no wrong filter {named}; N, B, K, R held {held:?}"
-            );
-            assert!(explained >= RUNS * 19 / 20, "{filter}, {name}: {explained}");
-            assert!(named >= explained * 19 / 20, "{filter}, {name}: {named} of {explained}");
+            explained += 1;
+            used_from += found.fit.first;
+            named += u32::from(estimator.filter(&found).is_none_or(is_right));
             for term in 1..TERMS {
-                // 90 %, less four standard deviations of the share.
-                let least = 0.9 - 4.0 * (0.09 / f64::from(reported[term])).sqrt();
-                let share = f64::from(held[term]) / f64::from(reported[term]);
-                assert!(share >= least, "{filter}, {name}, {term}: {share}");
+                let interval = found.interval(Term::ALL[term], 0.95);
+                held[term] += u32::from(interval.contains(truth.squares()[term]));
+                reported[term] += 1;
+                assert!(interval.low < interval.high, "{filter}, {name}: {interval:?}");
             }
+        }
+        println!(
+            "{filter}, {name}: explained {explained} of {RUNS}, from place {used_from}/{RUNS}, no wrong filter {named}; N, B, K, R held {held:?}"
+        );
+        assert!(explained >= RUNS * 19 / 20, "{filter}, {name}: {explained}");
+        assert!(named >= explained * 19 / 20, "{filter}, {name}: {named} of {explained}");
+        for term in 1..TERMS {
+            // 90 %, less four standard deviations of the share.
+            let least = 0.9 - 4.0 * (0.09 / f64::from(reported[term])).sqrt();
+            let share = f64::from(held[term]) / f64::from(reported[term]);
+            assert!(share >= least, "{filter}, {name}, {term}: {share}");
         }
     }
 }
