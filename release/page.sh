@@ -14,4 +14,4 @@ cd "$(dirname "$0")/.."
 wasm=${SINS_WASM:-target/wasm}
 [ -n "${SINS_WASM:-}" ] || release/wasm.sh "$wasm"
 node_packages "$uplot"
-node apps/page/pack.mjs "$wasm" target/node/node_modules/uplot/dist "$out/sins.html"
+node apps/page/pack/pack.mjs "$wasm" target/node/node_modules/uplot/dist "$out/sins.html"

@@ -1,5 +1,6 @@
 // Curves over time by uPlot: three panels of a quantity, with one cursor and one zoom, and values at the cursor.
 
+import { RUNS } from "./runs.mjs";
 import { element, parts, shown, text } from "./texts.mjs";
 
 /** Units of a kind of quantity, each with its size, and the least span of an axis, so that rounding does not fill a panel. */
@@ -78,34 +79,37 @@ export class Curves {
         if (this.points && this.kept.length < MOST_KEPT) this.kept.push({ name, points: this.points });
     }
 
-    /** Shows a quantity of the points. has_model: whether there is error data 1. */
-    show(quantity, points, has_model) {
+    /** Shows a quantity of the points. has_model: whether there is error data 1. band: that of many runs, or null. */
+    show(quantity, points, has_model, band) {
         [this.quantity, this.points, this.has_model] = [quantity, points, has_model];
         if (!points?.time.length) return this.clear();
         const triples = quantity.triples.filter((name, k) => k === 0 || quantity.names || has_model);
         const columns = triples.map((name) => points[name]), { time } = points, [time_unit, time_size] = unit_of("time", time.at(-1));
+        const banded = band?.[triples[0]];
         const names = parts(quantity.names ?? "data"), axes = parts(quantity.axes);
         const panels = axes.map((axis, k) => {
             const kept = this.kept.map(({ points: { time: times, [triples[0]]: triple } }) => at_times(times, triple[k], time));
-            const own = columns.map((triple) => triple[k]), [unit, size] = unit_of(quantity.kind, largest_of([...kept, ...own]));
+            const edges = (banded?.[k] ?? []).map((edge) => at_times(band.time, edge, time));
+            const own = columns.map((triple) => triple[k]), [unit, size] = unit_of(quantity.kind, largest_of([...edges, ...kept, ...own]));
             const scaled = (column, by) => column.map((value) => (value === null ? null : value / by));
-            return { axis, unit, size, data: [scaled(time, time_size), ...[...kept, ...own.toReversed()].map((column) => scaled(column, size))] };
+            return { axis, unit, size, data: [scaled(time, time_size), ...[...edges, ...kept, ...own.toReversed()].map((column) => scaled(column, size))] };
         });
         this.time_size = time_size;
-        const key = JSON.stringify([quantity.axes, quantity.kind, quantity.name(), triples, this.kept.map(({ name }) => name), time_unit, panels.map(({ unit }) => unit), matchMedia("(prefers-color-scheme: dark)").matches]);
+        const key = JSON.stringify([quantity.axes, quantity.kind, quantity.name(), triples, this.kept.map(({ name }) => name), Boolean(banded), time_unit, panels.map(({ unit }) => unit), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.key = key;
             this.plots.forEach((plot) => plot.destroy());
             this.target.replaceChildren();
             const labels = triples.map((_, at) => names[at]).toReversed();
-            this.plots = panels.map((panel, k) => this.make(panel, labels, time_unit, k === panels.length - 1));
+            this.plots = panels.map((panel, k) => this.make(panel, labels, time_unit, k === panels.length - 1, Boolean(banded)));
         }
         panels.forEach(({ data, axis, unit }, k) => {
             const plot = this.plots[k], is_whole = !plot.is_zoomed;
             plot.setData(data, is_whole);
             if (!is_whole) plot.redraw();
             const last = data.at(-1).at(-1);
-            plot.root.setAttribute("aria-label", `${quantity.name()}, ${axis}: ${last === undefined ? "-" : shown(last, 4)} ${unit}`);
+            const edges = banded ? `; ${text("band", RUNS - 2, RUNS)}: ${data.slice(1, 3).map((edge) => shown(edge.at(-1) ?? NaN, 4)).join(" … ")} ${unit}` : "";
+            plot.root.setAttribute("aria-label", `${quantity.name()}, ${axis}: ${last === undefined ? "-" : shown(last, 4)} ${unit}${edges}`);
         });
     }
 
@@ -116,13 +120,14 @@ export class Curves {
         this.target.replaceChildren(element("p", { class: "nothing" }, text("no_curves")));
     }
 
-    make({ axis, unit, size, data }, labels, time_unit, is_last) {
+    make({ axis, unit, size, data }, labels, time_unit, is_last, has_band) {
         const { least } = KINDS[this.quantity.kind], ink = colour("ink"), grid = { stroke: colour("grid"), width: 1 };
         const own_axis = { stroke: ink, grid, ticks: grid, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
         const is_two = labels.length === 2;
         const line = (label, stroke, width) => ({ label, stroke: colour(stroke), width, value: (_, value) => (value === null ? "" : `${shown(value, 5)} ${unit}`), points: { show: false } });
         const kept = this.kept.map(({ name }, k) => line(name, `kept${k}`, 1.25));
-        const series = [...kept, ...labels.map((label, k) => line(label, is_two && k === 0 ? "data1" : "data2", is_two && k === 0 ? 3 : 1.25))];
+        const edges = has_band ? [text("band", RUNS - 2, RUNS), "…"].map((name) => line(name, "data2", 0.5)) : [];
+        const series = [...edges, ...kept, ...labels.map((label, k) => line(label, is_two && k === 0 ? "data1" : "data2", is_two && k === 0 ? 3 : 1.25))];
         const plot = new uPlot(
             {
                 ...this.sizes(is_last),
@@ -132,6 +137,7 @@ export class Curves {
                     y: { range: (_, low, high) => spread(low, high, least / size) },
                 },
                 series: [{ label: text("time"), value: (_, value) => (value === null ? "" : `${shown(value, 6)} ${time_unit}`) }, ...series],
+                bands: has_band ? [{ series: [2, 1], fill: colour("band") }] : [],
                 axes: [
                     { ...own_axis, size: is_last ? 46 : 16, ...(is_last ? { label: `${text("time")} [${time_unit}]`, labelSize: 18, values: (_, ticks) => tick_texts(ticks) } : { values: () => [] }) },
                     { ...own_axis, size: 62, label: `${axis} [${unit}]`, labelSize: 18, values: (_, ticks) => tick_texts(ticks) },

@@ -1,6 +1,7 @@
 // The display: controls of the flight, curves, map, instruments and the table of values, all of the flight in the worker.
 
 import { Curves, MOST_KEPT, QUANTITIES } from "./curves.mjs";
+import { RUNS } from "./runs.mjs";
 import { save } from "./files.mjs";
 import { FLYING, PAUSED } from "./flight.mjs";
 import { Indicator, Panel } from "./instruments.mjs";
@@ -16,7 +17,7 @@ const READ_MS = 5000;
 export class Display {
     /** pilot: the colleague that flies. */
     constructor(scene, pilot) {
-        [this.scene, this.pilot, this.now, this.points, this.path, this.quantity] = [scene, pilot, null, null, null, QUANTITIES[0]];
+        [this.scene, this.pilot, this.now, this.points, this.path, this.band, this.quantity] = [scene, pilot, null, null, null, null, QUANTITIES[0]];
         const button = (name, act, what) => element("button", { onclick: act, "data-do": what }, text(name));
         this.start = button("Start", () => this.press_start(), "start");
         this.pause = button("Pause", () => pilot.ask("pause", { is_paused: this.now?.state === FLYING }), "pause");
@@ -31,6 +32,7 @@ export class Display {
         /** What the curves of this flight are called when they are kept, or "". */
         this.call = () => "";
         this.keep = button("Keep this curve", () => this.keep_curves(), "keep");
+        this.many = button("Many runs", () => this.fly_many(), "many");
         this.forget = button("Remove kept curves", () => this.forget_curves(), "forget");
         const quantity = (this.quantities = element("select", { id: "quantity" }, ...options(QUANTITIES.map((own, k) => [String(k), own.name()]))));
         quantity.onchange = () => {
@@ -56,7 +58,7 @@ export class Display {
             element(
                 "div",
                 { class: "views" },
-                element("section", { class: "curves" }, element("div", { class: "bar" }, element("label", { for: "quantity" }, text("Quantity")), quantity, this.keep, this.forget), curves),
+                element("section", { class: "curves" }, element("div", { class: "bar" }, element("label", { for: "quantity" }, text("Quantity")), quantity, this.keep, this.many, this.forget), curves),
                 element(
                     "section",
                     { class: "beside" },
@@ -75,7 +77,7 @@ export class Display {
     /** Shows another flight after a change of the language. */
     follow(other) {
         if (!other) return;
-        for (const name of ["now", "points", "path", "flown_text", "has_model", "log_name", "planned"]) this[name] = other[name];
+        for (const name of ["now", "points", "path", "flown_text", "has_model", "log_name", "planned", "band"]) this[name] = other[name];
         this.pace.value = other.pace.value;
         this.curves.kept = other.curves.kept;
         this.choose(QUANTITIES.indexOf(other.quantity));
@@ -91,6 +93,22 @@ export class Display {
         const { kept } = this.curves;
         this.curves.keep(this.call() || text("kept", kept.length + 1));
         this.refresh();
+    }
+
+    /** Draws between which errors the runs of the scene are. */
+    async fly_many() {
+        const written = this.flown_text;
+        this.say(text("flying_runs", RUNS));
+        try {
+            const band = await this.pilot.ask("band", { text: written });
+            if (band === null || written !== this.flown_text) return;
+            this.band = band;
+            this.say("");
+            this.draw();
+        } catch (fault) {
+            const own = text(fault.sentence, RUNS);
+            this.say(own === fault.sentence ? this.scene.told(fault) : own, true);
+        }
     }
 
     forget_curves() {
@@ -135,7 +153,7 @@ export class Display {
     async fly() {
         const obstacle = this.obstacle();
         if (obstacle) return this.say(obstacle, true);
-        [this.flown_text, this.points, this.now, this.has_model] = [this.scene.text, null, null, this.scene.get("options.error_model") === "rk4"];
+        [this.flown_text, this.points, this.now, this.has_model, this.band] = [this.scene.text, null, null, this.scene.get("options.error_model") === "rk4", null];
         this.say("");
         try {
             await this.pilot.ask("start", { text: this.flown_text, pace: Number(this.pace.value) });
@@ -218,6 +236,7 @@ export class Display {
         if (is_flying && performance.now() > this.said?.until_ms) this.said = null;
         [this.start.disabled, this.pause.disabled, this.stop.disabled] = [is_flying, !is_flying && !is_paused, !is_flying && !is_paused];
         const { kept } = this.curves;
+        this.many.disabled = !this.points || now?.state <= PAUSED || now.has_unit;
         [this.keep.disabled, this.forget.hidden, this.findings.hidden] = [!this.points || kept.length === MOST_KEPT, kept.length === 0, log_of(this.scene) === null];
         this.pause.setAttribute("aria-pressed", String(is_paused));
         this.show_state();
@@ -234,7 +253,7 @@ export class Display {
 
     draw() {
         const { points } = this;
-        this.curves.show(this.quantity, points, this.has_model);
+        this.curves.show(this.quantity, points, this.has_model, this.band);
         if (points) this.track.show([points.true_path, points.path]);
         else this.track.show([this.path?.place]);
         this.made.classList.toggle("old", Boolean(this.now && this.flown_text !== this.scene.text));

@@ -3,6 +3,7 @@
 
 import { load } from "sins";
 import { measure } from "./measure.mjs";
+import { band_of } from "./runs.mjs";
 import { FAILED, Flight, FLYING, Samples, fault_of } from "./flight.mjs";
 
 /** Length of a piece of work, between which messages are read [ms]. */
@@ -13,7 +14,7 @@ const STATUS_MS = 66, CURVES_MS = 250;
 const PATH_POINTS = 10000;
 
 export function serve() {
-    let sins, log = null, flight = null, told_ms = 0, drawn_ms = 0, is_going = false;
+    let sins, log = null, flight = null, told_ms = 0, drawn_ms = 0, is_going = false, asked = 0;
     const turns = new MessageChannel();
 
     /** Reports the flight; whole: with the curves. */
@@ -94,9 +95,20 @@ export function serve() {
             });
         },
         start({ text, pace }) {
+            asked++;
             end();
             flight = new Flight(sins, text, log, pace);
             begin();
+        },
+        /** The band of many runs; null if another one or a flight was asked for before it was flown. */
+        async band({ text }) {
+            const own = ++asked, scene = sins.scene_parse(text);
+            const rest = () => new Promise((done) => setTimeout(() => done(asked === own)));
+            try {
+                return await band_of(sins, scene, log, rest);
+            } finally {
+                scene.close();
+            }
         },
         pace({ pace }) {
             flight?.set_pace(pace);

@@ -8,7 +8,7 @@ import { readFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { lessons_of } from "../../apps/page/lessons_of.mjs";
+import { lessons_of } from "../../apps/page/pack/lessons_of.mjs";
 import { opened, out, start, stop, unfold, until } from "./user.mjs";
 
 const { SINS } = process.env;

@@ -4,11 +4,11 @@
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 
 import { at_times, tick_texts } from "../../apps/page/curves.mjs";
-import { lessons_of } from "../../apps/page/lessons_of.mjs";
+import { lessons_of } from "../../apps/page/pack/lessons_of.mjs";
 import { drop, fly, opened, out, press, same_as_program, set, start, stop, tab, unfold, until, write } from "./user.mjs";
 
 const { SINS } = process.env;
@@ -50,6 +50,46 @@ test("curves are kept: drawn below the next flight in colours of their own, in a
     await page.getByRole("link", { name: LESSONS[0].en.title, exact: true }).click(); // another lesson begins anew
     await until(page, /^Finished: 24 h/);
     assert.deepEqual(await names(), before);
+});
+
+test("many runs: the area is between the outermost but one of those that `sins ensemble` flies, until the scene is flown anew", async (context) => {
+    const page = await opened(context, { hash: "#lesson=gyros" });
+    await until(page, /^Finished/);
+    const labels = () => page.locator(".plots .uplot").evaluateAll((all) => all.map((own) => own.getAttribute("aria-label")));
+    const shown = async (quantity) => {
+        await page.selectOption("#quantity", quantity);
+        const label = /48 of 50 runs: (\S+) … (\S+) (\S+)$/, sizes = { mm: 1e-3, m: 1, km: 1000, "mm/s": 1e-3, "m/s": 1, "″": Math.PI / 648000, "′": Math.PI / 10800, "°": Math.PI / 180 };
+        return (await labels()).map((own) => label.exec(own).slice(1)).map(([low, high, unit]) => [low, high].map((own) => Number(own) * sizes[unit]));
+    };
+    await press(page, "many");
+    await page.waitForFunction(() => /48 of 50/.test(document.querySelector(".plots .uplot")?.getAttribute("aria-label")));
+    writeFileSync(`${out}/many.toml`, LESSONS.find(({ name }) => name === "gyros").scene);
+    assert.equal(spawnSync(SINS, ["ensemble", `${out}/many.toml`, "--runs", "50", "--name", "many", "--out", `${out}/many`, "--quiet", "--force"]).status, 0);
+    const [head, ...rows] = readFileSync(`${out}/many/many_ensemble_runs.csv`, "utf8").trim().split("\n").map((line) => line.split(","));
+    const column = (name) => rows.map((row) => Number(row[head.indexOf(name)])).sort((a, b) => a - b);
+    for (const [quantity, name, unit] of [["0", "position", "m"], ["1", "velocity", "m_s"], ["2", "misalignment", "rad"]]) {
+        for (const [k, edges] of (await shown(quantity)).entries()) {
+            const all = column(`${name}_${["east", "north", "up"][k]}_${unit}`), near = (found, wanted) => assert.ok(Math.abs(found - wanted) <= 1e-3 * Math.abs(wanted) + 1e-12, `${name} ${k}: ${edges}, not ${all[1]}, ${all.at(-2)}`);
+            near(edges[0], all[1]);
+            near(edges[1], all.at(-2));
+        }
+    }
+    await page.selectOption("#quantity", "0");
+    await page.locator(".plots").screenshot({ path: `${out}/many.png` });
+    await page.locator('[data-slides="gyro.bias_sigma_deg_h"]').fill("4");
+    await until(page, /^Finished/);
+    await page.waitForFunction(() => !/48 of 50/.test(document.querySelector(".plots .uplot").getAttribute("aria-label")));
+
+    const state = (pattern) => until(page, pattern);
+    for (const [scene, answer] of [['[flight]\nbuiltin = "rest"\nhours = 0.01\n', /^Nothing in this scene is random/], ['[flight]\nbuiltin = "rest"\nhours = 2\nrate_hz = 100\n[gyro]\nbias_sigma_deg_h = 1\n', /take too long here/]]) {
+        await write(page, scene);
+        await fly(page);
+        await press(page, "many");
+        await state(answer);
+    }
+    await write(page, '[flight]\nbuiltin = "rest"\nhours = 0.3\nrate_hz = 1\n[unit]\nstart = "nav"\n');
+    await fly(page);
+    assert.equal(await page.locator("[data-do=many]").isDisabled(), true);
 });
 
 test("a setting is found by words of its name, meaning and unit, in both languages, and set where it was found", async (context) => {

@@ -9,7 +9,7 @@ import { resolve } from "node:path";
 import test from "node:test";
 import { pathToFileURL } from "node:url";
 
-import { lessons_of, read_by } from "../../apps/page/lessons_of.mjs";
+import { lessons_of, read_by } from "../../apps/page/pack/lessons_of.mjs";
 import { measure } from "../../apps/page/measure.mjs";
 
 const { SINS, SINS_MODULE } = process.env;

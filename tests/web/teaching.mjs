@@ -8,7 +8,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import test, { after, before } from "node:test";
 import { deflateRawSync } from "node:zlib";
 
-import { lessons_of } from "../../apps/page/lessons_of.mjs";
+import { lessons_of } from "../../apps/page/pack/lessons_of.mjs";
 import { processor_times } from "./browser.mjs";
 import { downloaded, fly, opened, out, press, same_as_program, set, start, state, stop, until } from "./user.mjs";
 

@@ -9,7 +9,7 @@ import { gzipSync } from "node:zlib";
 
 import { lessons_of, read_by } from "./lessons_of.mjs";
 
-const [folder, uplot, out] = process.argv.slice(2), own = dirname(new URL(import.meta.url).pathname);
+const [folder, uplot, out] = process.argv.slice(2), own = join(dirname(new URL(import.meta.url).pathname), "..");
 const read = (...path) => readFileSync(join(...path), "utf8");
 
 /** Modules in the order in which each stands behind those that it imports. */
