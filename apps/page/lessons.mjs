@@ -38,8 +38,23 @@ function rate_made(scene) {
     return made;
 }
 
+/** What a step takes here: times(text), a promise, measures it for each scene, one at a time. */
+function times_made(scene, times) {
+    const made = element("div", { class: "hint", "data-times": "" });
+    let [measured, is_busy] = [null, false];
+    made.refresh = async () => {
+        if (is_busy || scene.text === measured || scene.faults.length > 0) return;
+        [measured, is_busy] = [scene.text, true];
+        const [own_us, ideal_us] = await times(measured).catch(() => []);
+        is_busy = false;
+        if (scene.text !== measured) return made.refresh();
+        made.textContent = own_us > 0 ? text("lesson_times", shown(own_us, 2), shown(ideal_us, 2)) : "";
+    };
+    return made;
+}
+
 /** What stands beside the picture; on a narrow screen the paragraphs are below it, so that a slider is near its curves. */
-export function lesson_made(lesson, scene, fly) {
+export function lesson_made(lesson, scene, fly, times) {
     const { title, question, paragraphs } = lesson[language];
     return element(
         "article",
@@ -51,6 +66,7 @@ export function lesson_made(lesson, scene, fly) {
             element("p", { class: "question" }, question),
             ...lesson.slider.map((own, k) => slider_made(scene, own, k, fly)),
             ...(lesson.slider.length > 0 ? [rate_made(scene)] : []),
+            ...(lesson.times ? [times_made(scene, times)] : []),
         ),
         element("div", { class: "words" }, ...paragraphs.map((own) => element("p", {}, own))),
     );

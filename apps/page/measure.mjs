@@ -33,6 +33,21 @@ export function measure(sins, own_scene, options) {
     return { error_m, us_per_s: (1000 * least_ms) / ((count - 1) / rate_hz), flown_s: (count - 1) / rate_hz };
 }
 
+/** What a step of a scene takes on this machine, and one of the same flight with ideal sensors [us]. */
+export function step_times(sins, scene) {
+    const { rate_hz, flown_s } = sins.scene_get_setup(scene), flight = sins.scene_create_flight(scene), count = Math.floor(Math.min(flown_s, LONGEST_S) * rate_hz + 1e-6) + 1;
+    const made = [() => sins.scene_create_simulator(scene), () => sins.create(sins.scene_get_options(scene))], least_ms = [Infinity, Infinity], records = sins.array(sins.record, BATCH);
+    for (let sum_ms = 0; sum_ms < 2 * LEAST_MS; ) {
+        for (const [k, make] of made.entries()) {
+            const sim = make(), { spent_ms } = fly(sins, sim, flight, { rate_hz, count, every: count, records });
+            sim.close();
+            [least_ms[k], sum_ms] = [Math.min(least_ms[k], spent_ms), sum_ms + spent_ms];
+        }
+    }
+    flight.close();
+    return least_ms.map((own) => (1000 * own) / (count - 1));
+}
+
 /** The options of a scene with another algorithm. Without the sensors, an error of the start and the error equations. */
 function options_of(sins, scene, { scheme, subsamples, rate_hz }) {
     const own = sins.scene_get_options(scene);

@@ -261,7 +261,7 @@ class Page {
     show_lesson(shows = this.open.lesson?.shows ?? "position") {
         const { lesson } = this.open;
         this.row.replaceChildren(row_of(this.lessons, this.open));
-        this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson, this.scene, () => this.display.fly())] : []));
+        this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson, this.scene, () => this.display.fly(), (written) => this.study().ask("step_times", { text: written }))] : []));
         refresh_within(this.lesson);
         this.display.call = () => Array.from(this.lesson.querySelectorAll(".slider output"), (own) => own.value).join(", ");
         this.display.look_at(shows, (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })));

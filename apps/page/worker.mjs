@@ -2,7 +2,7 @@
 // number, and its answer has the same; the state of the flight comes without one.
 
 import { load } from "sins";
-import { measure } from "./measure.mjs";
+import { measure, step_times } from "./measure.mjs";
 import { band_of } from "./runs.mjs";
 import { FAILED, Flight, FLYING, Samples, fault_of } from "./flight.mjs";
 
@@ -134,6 +134,7 @@ export function serve() {
         records: () => flight?.file() ?? null,
         /** The error of the mechanization of a scene with other options, and its time. */
         measure: ({ text, options }) => with_scene(text, (scene) => measure(sins, scene, options)),
+        step_times: ({ text }) => with_scene(text, (scene) => step_times(sins, scene)),
     };
 
     onmessage = async ({ data }) => {

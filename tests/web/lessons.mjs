@@ -186,6 +186,7 @@ test("a lesson that is not complete is not packed, and the fault names its file"
         ["lesson.toml", null, /lesson\.toml: .*no such file/],
         ["lesson.toml", `${settings}colour = 1\n`, /lesson\.toml: line \d+: no such key: colour = 1/],
         ["lesson.toml", `toString = 1\n${settings}`, /no such key/],
+        ["lesson.toml", `times = false\n${settings}`, /not a value of this key: times = false/],
         ["lesson.toml", `${settings}[[slide]]\n`, /no such list/],
         ["lesson.toml", `order = 2\n${settings}`, /a second time: order = 1/],
         ["lesson.toml", settings.replace('"position"', '"height"'), /not a value of this key: shows = "height"/],

@@ -94,6 +94,22 @@ test("a scene that is not flown has no empty drawing, but says what to do", asyn
 
 const FOLDER = "apps/page/lessons", LESSONS = lessons_of(FOLDER);
 
+test("a lesson says what a step takes here, and one with ideal sensors, of the scene that is shown", async (context) => {
+    const page = await opened(context, { hash: "#lesson=effects" }), sentence = page.locator("[data-times]");
+    const said = async () => {
+        await page.waitForFunction(() => /ideal sensors/.test(document.querySelector("[data-times]").textContent));
+        return /^A step takes ([0-9.]+) µs here, and ([0-9.]+) µs with ideal sensors\.$/.exec(await sentence.textContent()).slice(1).map(Number);
+    };
+    assert.ok((await said()).every((own) => own > 0));
+    await page.evaluate(() => (document.querySelector("[data-times]").textContent = ""));
+    for (const place of [3, 1, 2]) await page.locator('[data-slides="gyro.bias_deg_h"]').fill(String(place)); // measured once more, of the last one
+    assert.ok((await said()).every((own) => own > 0));
+    await page.selectOption("#language", "zh");
+    await page.waitForFunction(() => /理想传感器/.test(document.querySelector("[data-times]").textContent));
+    await page.goto(`${page.url().split("#")[0]}#lesson=gyros`);
+    await page.waitForFunction(() => document.querySelector(".lesson h2") && !document.querySelector("[data-times]"));
+});
+
 test("each lesson opens by its link: title, question, picture, and the records of sins fly for its scene", async (context) => {
     assert.deepEqual(LESSONS.map(({ order }) => order), LESSONS.map((_, k) => k + 1));
     const page = await opened(context, { hash: "" });
@@ -258,7 +274,7 @@ test("a slider of a lesson flies each of its values at once, and the last one of
             input.dispatchEvent(new Event("input"));
             return input.parentElement.querySelector("output").value;
         }, [key, place]);
-        assert.match(await page.locator(".lesson .hint").innerText(), /with a sample each [\d.]+ s\.$/);
+        assert.match(await page.locator(".lesson .hint").first().innerText(), /with a sample each [\d.]+ s\.$/);
         const curves = () => page.locator(".plots .uplot").evaluateAll((all) => all.map((own) => own.getAttribute("aria-label")).join());
         let moves = 0;
         const fly_all = async () => {

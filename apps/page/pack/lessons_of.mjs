@@ -10,6 +10,7 @@ const SHOWS = ["position", "velocity", "misalignment", "cost"];
 /** Keys of lesson.toml, and of each of its lists, with what their value must be. */
 const is_text = (value) => typeof value === "string" && value !== "", is_number = Number.isFinite;
 const KEYS = { order: is_number, shows: (value) => SHOWS.includes(value) };
+const MORE_KEYS = { times: (value) => value === true };
 const LISTS = {
     mark: { at_s: (value) => is_number(value) && value > 0, en: is_text, zh: is_text },
     slider: { key: is_text, en: is_text, zh: is_text, values: (value) => Array.isArray(value) && value.length > 1 && (value.every(is_number) || value.every(is_text)) },
@@ -67,7 +68,7 @@ function words_of(text) {
 /** The settings in lesson.toml: of TOML, [[lists]] of items and keys whose values are also JSON. */
 function settings_of(text) {
     const settings = Object.fromEntries(Object.keys(LISTS).map((list) => [list, []]));
-    let [at, keys] = [settings, KEYS];
+    let [at, keys] = [settings, { ...KEYS, ...MORE_KEYS }];
     text.split("\n").forEach((line, k) => {
         const fault = (what) => new Error(`line ${k + 1}: ${what}: ${line}`), [, list] = /^\[\[(\w+)\]\]$/.exec(line) ?? [];
         if (/^\s*(#.*)?$/.test(line)) return;
