@@ -294,3 +294,32 @@ fn the_start_is_as_good_as_the_middle() {
     );
     assert!(starts[0] < 3.0 * within[0] && starts[1] < 3.0 * within[1]);
 }
+
+/// Exact rows without an attitude, from turns that begin in the bank: an INS is aligned in the first attitude of the path. The bank has
+/// 30 degrees; where the path has rows on one side only, it is wrong by up to 18.
+#[test]
+fn the_first_bank_of_exact_rows_is_that_of_the_turns() {
+    for period_s in [8.0, 16.0, 32.0, 60.0] {
+        let (omega, slope) = (2.0 * core::f64::consts::PI / period_s, (30.0 * DEG).tan());
+        let bank_of = |t: f64| (slope * (omega * t).cos()).atan();
+        let flight = vehicle("S-turns", 50.0, |t| {
+            let heading = 0.5 + slope * 9.81 / (60.0 * omega) * (omega * t).sin();
+            let v = Vector3::new(60.0 * heading.sin(), 60.0 * heading.cos(), 0.0);
+            (v, Euler { roll: bank_of(t), pitch: 0.0, heading })
+        });
+        for (every, phase) in
+            [1, 2, 5, 10].into_iter().flat_map(|rate| [0.0, 0.2, 0.4].map(|p| (50 / rate, p)))
+        {
+            let first = (phase * period_s * 50.0) as usize;
+            let rows: Samples =
+                flight.samples[first..].iter().step_by(every).take(10_000 / every).copied().collect();
+            let path = coordinated(&without_velocities(&rows));
+            let [start_s, _] = path.span_s();
+            let roll = path.sample_at(start_s).unwrap().euler.roll;
+            let error = (roll - bank_of(start_s)) / DEG;
+            println!("{period_s} s, {} Hz, {phase}: {error:.2} deg, {:.2} s cut", 50 / every, path.cut_s);
+            assert!(error.abs() < 2.0, "{period_s} s, {} Hz, {phase}: {error} deg", 50 / every);
+            assert!(path.cut_s <= 3.0);
+        }
+    }
+}

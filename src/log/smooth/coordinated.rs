@@ -30,7 +30,7 @@ const COURSE_DEVIATIONS: f64 = 4.0;
 const LEAST_LOAD: f64 = 0.3;
 
 /// Largest cut-off of the attitude [Hz]: 1 / (2π 0.3 s).
-const CUTOFF_HZ: f64 = 0.53;
+pub(super) const CUTOFF_HZ: f64 = 0.53;
 
 /// Horizontal position and height as curves.
 pub(super) struct Path<'a> {
@@ -73,14 +73,16 @@ impl Path<'_> {
     }
 }
 
-/// The attitude along a path of `rows` rows, with an angle of attack [rad].
+/// The attitude along a path of `rows` rows between its ends, from a time stamp on [s], with an angle of attack [rad].
 pub(super) fn attitudes(
     path: &Path<'_>,
-    span_s: [f64; 2],
+    ends_s: [f64; 2],
+    from_s: f64,
     rows: usize,
     attack_rad: f64,
 ) -> Result<Curve<4>, Error> {
     check_range("coordinated_attack_rad", attack_rad, -0.5, 0.5)?;
+    let span_s = [from_s, ends_s[1]];
     check_steps(span_s[1] - span_s[0], EVERY_S, rows)?;
     let count = ((span_s[1] - span_s[0]) / EVERY_S).ceil().max(20.0) as usize;
     let time_s = |k: usize| span_s[0] + (span_s[1] - span_s[0]) * k as f64 / count as f64;
@@ -88,7 +90,7 @@ pub(super) fn attitudes(
     let least = LEAST_COURSE_M_S.max(COURSE_DEVIATIONS * path.normals.rate_noise());
     let mut first_moving = None;
     for k in 0..=count {
-        let (v, f) = path.motion(time_s(k), span_s);
+        let (v, f) = path.motion(time_s(k), ends_s);
         let speed = v.norm_squared().sqrt();
         times_s.push(time_s(k));
         let is_on_course = hypot(v.x, v.y) >= least;

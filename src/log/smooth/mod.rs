@@ -201,12 +201,18 @@ impl Smoothed {
         for own_s in [&placed_s, &climbed_s, &turned_s] {
             span_s = [span_s[0].max(own_s[0]), span_s[1].min(own_s[own_s.len() - 1])];
         }
-        let start_s = span_s[0];
-        span_s[0] = supported_s(span_s, normals.cutoff_hz, &placed_s);
+        let ends_s = span_s;
+        let is_coordinated = options.coordinated_attack_rad.is_some();
+        let path_s = supported_s(ends_s, normals.cutoff_hz, &placed_s, is_coordinated);
         let path = coordinated::Path { earth, normals: &normals, heights: &heights };
         let attitudes = match options.coordinated_attack_rad {
-            Some(attack_rad) => coordinated::attitudes(&path, span_s, samples.len(), attack_rad)?,
+            Some(attack_rad) => {
+                let cutoff_hz = normals.cutoff_hz.min(coordinated::CUTOFF_HZ);
+                span_s[0] = supported_s(ends_s, cutoff_hz, &placed_s, true);
+                coordinated::attitudes(&path, ends_s, path_s, samples.len(), attack_rad)?
+            }
             None => {
+                span_s[0] = path_s;
                 // A quaternion has half of the angle in four numbers.
                 let sigma = options.attitude_sigma_rad.map(|sigma| sigma * (0.75_f64 / 4.0).sqrt());
                 let cap_hz = f64::INFINITY;
@@ -226,12 +232,12 @@ impl Smoothed {
             attitudes,
             temperatures,
             span_s,
-            cut_s: span_s[0] - start_s,
+            cut_s: span_s[0] - ends_s[0],
             corrections: is_corrected,
             left_out: rows.left_out,
             is_steady_clock: rows.is_steady_clock,
             findings: rows.findings,
-            is_coordinated: options.coordinated_attack_rad.is_some(),
+            is_coordinated,
         })
     }
 
@@ -278,11 +284,11 @@ impl Smoothed {
 }
 
 /// The first of the times of rows from which a curve through them is supported on both sides: one that is much smoother than its rows
-/// extrapolates at its ends, with several times the errors.
-fn supported_s(span_s: [f64; 2], cutoff_hz: f64, times_s: &[f64]) -> f64 {
+/// extrapolates at its ends, with several times the errors. The second derivative is wrong at the ends of any curve.
+fn supported_s(span_s: [f64; 2], cutoff_hz: f64, times_s: &[f64], of_second: bool) -> f64 {
     let length_s = span_s[1] - span_s[0];
     let period_s = length_s / (times_s.len() - 1) as f64;
-    if cutoff_hz * period_s >= SMOOTHED {
+    if cutoff_hz * period_s >= SMOOTHED && !of_second {
         return span_s[0];
     }
     // A flight that is cut is shorter, and so are the errors that grow in it.
