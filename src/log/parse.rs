@@ -47,7 +47,8 @@ impl FlightLog {
         let columns = columns(&names, 0, &mapping)?;
         let mut notes = vec![Fault { sentence: record.note.clone(), ..Fault::default() }];
         notes.extend(unread(&names, 0, &columns, &mapping));
-        let mut reading = Reading::new(String::new(), columns, notes, &mapping, Evidence::none());
+        let evidence = Evidence::of_record(&record.beside);
+        let mut reading = Reading::new(String::new(), columns, notes, &mapping, evidence);
         let mut last = 0;
         for (numbers, line) in record.rows() {
             reading.row(Cells::Numbers(numbers), line)?;
@@ -78,7 +79,7 @@ impl FlightLog {
         let only = only_place(&names, line, mapping)?;
         let evidence = match has_names {
             true => Evidence::new(&names, line, &columns, mapping, only),
-            false => Evidence::none(),
+            false => Evidence::of_record(&[]),
         };
         // The first comment of another program holds its own data.
         let title = if mapping.is_foreign() { String::new() } else { title(text, comment) };

@@ -98,10 +98,11 @@ impl<'m> Reading<'m> {
             }
             _ => {
                 self.push(sample, line)?;
-                match cells {
-                    Cells::Texts(row) => self.evidence.take(row, sample.time_s).map_err(LogError::Memory),
-                    Cells::Numbers(_) => Ok(()),
-                }
+                let taken = match cells {
+                    Cells::Texts(row) => self.evidence.take(row, sample.time_s),
+                    Cells::Numbers(row) => self.evidence.take_numbers(row, sample.time_s),
+                };
+                taken.map_err(LogError::Memory)
             }
         }
     }

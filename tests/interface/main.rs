@@ -38,4 +38,5 @@ mod scene_text;
 mod scene_values;
 #[cfg(feature = "scenes")]
 mod unread_columns;
+mod unread_records;
 mod versions;

@@ -1,12 +1,18 @@
 //! Flight data recorder files of X-Plane (FDR), version 4: keywords, then rows of time, longitude, latitude, altitude, heading, pitch,
-//! roll, and of what the keywords DREF name.
+//! roll, and of what the keywords DREF name, which is compared with what flies.
 
 use super::Record;
 use crate::base::text::excerpt;
+use crate::log::quantity::TRACK;
+use crate::log::unread::{MOST, Unread};
 use crate::log::{Clock, LogError, LogMapping, TimeFormat, fault};
 
 /// Columns of a row behind its time.
 const COLUMNS: [&str; 6] = ["longitude", "latitude", "altitude", "magnetic heading", "pitch", "roll"];
+
+/// Names of datarefs that say no quantity: which they have, and in which unit. The climb stands behind the track.
+const DATAREFS: [(&str, usize, &str); 3] =
+    [("hpath", TRACK, "deg"), ("vh_ind", TRACK + 1, "m/s"), ("vh_ind_fpm", TRACK + 1, "ft/min")];
 
 /// Metres of a foot.
 const FOOT_M: f64 = 0.3048;
@@ -32,7 +38,21 @@ pub fn record(text: &str) -> Result<Record, LogError> {
         "heading_deg",
     ]);
     let mut clock: Option<Clock> = None;
-    for (row, line) in lines.filter(|(line, _)| is_row(line)) {
+    // The number of each dataref that is compared, from 0.
+    let (mut compared, mut datarefs) = (Vec::new(), 0);
+    for (row, line) in lines {
+        if let Some(text) = row.strip_prefix("DREF,").filter(|_| rows.count() == 0) {
+            if let Some(of) =
+                dataref(text, rows.names.len() + compared.len()).filter(|_| compared.len() < MOST)
+            {
+                rows.beside.push(of);
+                compared.push(datarefs);
+            }
+            datarefs += 1;
+        }
+        if !is_row(row) {
+            continue;
+        }
         let mut cells = row.split(',').map(str::trim);
         let time = cells.next().unwrap_or_default();
         let clock = clock.get_or_insert_with(|| {
@@ -51,7 +71,11 @@ pub fn record(text: &str) -> Result<Record, LogError> {
             *value = number.ok_or_else(|| expected(name, "a finite number", cell))?;
         }
         let [longitude, latitude, altitude_ft, heading, pitch, roll] = values;
-        rows.push(line, [time_s, latitude, longitude, altitude_ft * FOOT_M, roll, pitch, heading])?;
+        let more: Vec<&str> = cells.take(datarefs).collect();
+        let number = |of: &usize| more.get(*of).and_then(|cell| cell.parse().ok()).unwrap_or(f64::NAN);
+        let beside: Vec<f64> = compared.iter().map(number).collect();
+        let row = [time_s, latitude, longitude, altitude_ft * FOOT_M, roll, pitch, heading];
+        rows.push(line, &row, &beside)?;
     }
     if rows.count() == 0 {
         let what = "no rows behind the keywords: expected time, longitude, latitude and so on";
@@ -62,4 +86,18 @@ pub fn record(text: &str) -> Result<Record, LogError> {
     let (count, spacing) = (rows.count(), rows.spacing());
     rows.note = format!("FDR record, {count} rows {spacing}: {headings}; {heights}");
     Ok(rows)
+}
+
+/// The column of a dataref: its name, and a factor that is 1, since another one may be to the unit or from it; `None`: it is none of the
+/// motion.
+fn dataref(text: &str, place: usize) -> Option<Unread> {
+    let before_comment = text.split("//").next().unwrap_or(text);
+    let mut words = before_comment.split([',', ' ', '\t']).filter(|word| !word.is_empty());
+    let (path, factor) = (words.next()?, words.next()?.parse::<f64>().ok()?);
+    let name = path.rsplit('/').next().filter(|_| factor == 1.0)?;
+    let defined = DATAREFS.iter().find(|(known, ..)| *known == name);
+    match defined {
+        Some((_, quantity, unit)) => Some(Unread::defined(place, name, *quantity, unit)),
+        None => Unread::of_name(place, name),
+    }
 }

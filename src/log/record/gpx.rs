@@ -1,4 +1,5 @@
-//! Tracks in the GPS Exchange Format (GPX 1.0 and 1.1): the points of all tracks and segments, in the order of the file.
+//! Tracks in the GPS Exchange Format (GPX 1.0 and 1.1): the points of all tracks and segments, in the order of the file. What a point and
+//! its extensions say of the motion is compared with what flies.
 
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -6,12 +7,16 @@ use quick_xml::events::{BytesStart, Event};
 use super::{Record, left_out};
 use crate::base::memory::{room, room_for_one_more};
 use crate::base::text::excerpt;
+use crate::log::unread::{MOST, Unread};
 use crate::log::{Clock, LogError, LogMapping, TimeFormat, fault};
 
 /// Most elements that are open at once, longest name of one, and longest text of a time or a height [bytes].
 const MAX_DEPTH: usize = 64;
 const MAX_NAME: usize = 256;
 const MAX_TEXT: usize = 256;
+
+/// Most names of elements in points that are looked at.
+const MAX_NAMES: usize = 64;
 
 /// Copies of one name that the reader may have at once.
 const QUOTES: usize = 4;
@@ -25,6 +30,8 @@ struct Point {
     /// Texts of its elements; empty: it has none.
     elevation: String,
     time: String,
+    /// Numbers of other elements, and the place of each name.
+    beside: Vec<(usize, f64)>,
 }
 
 /// A point with its time.
@@ -35,6 +42,7 @@ struct Fix {
     longitude_deg: f64,
     /// Height above the sea; `None`: the point has none.
     elevation_m: Option<f64>,
+    beside: Vec<(usize, f64)>,
 }
 
 /// The points of a file.
@@ -44,26 +52,37 @@ struct Fixes {
     without_time: u64,
     /// Number of segments that have points.
     segments: u64,
+    /// Names of other elements in points, each with its place among the columns beside, if it is one of the motion.
+    names: Vec<(String, Option<usize>)>,
+    beside: Vec<Unread>,
 }
+
+/// Columns of a point that are read.
+const COLUMNS: [&str; 4] = ["time_s", "latitude_deg", "longitude_deg", "height_m"];
 
 /// The rows of a text.
 pub fn record(text: &str) -> Result<Record, LogError> {
     // The reader keeps names, and quotes them in its errors.
     drop(room::<u8>(QUOTES * text.len()).map_err(LogError::Memory)?);
-    let Fixes { found, without_time, segments, .. } = fixes(text.as_bytes())?;
+    let Fixes { found, without_time, segments, beside, .. } = fixes(text.as_bytes())?;
     if found.is_empty() {
         let what = "no track: expected trkpt with lat, lon and time, found";
         return Err(fault(0, 1, format!("{what} {without_time} without time")));
     }
     let has_elevation = found.iter().any(|fix| fix.elevation_m.is_some());
-    let mut rows = Record::new(&["time_s", "latitude_deg", "longitude_deg", "height_m"]);
+    let mut rows = Record::new(&COLUMNS);
+    rows.beside = beside;
     let mut without_elevation = 0;
-    for Fix { line, time_s, latitude_deg, longitude_deg, elevation_m } in found {
+    for Fix { line, time_s, latitude_deg, longitude_deg, elevation_m, beside } in found {
         if has_elevation && elevation_m.is_none() {
             without_elevation += 1;
             continue;
         }
-        rows.push(line, [time_s, latitude_deg, longitude_deg, elevation_m.unwrap_or(0.0)])?;
+        let mut numbers = [f64::NAN; MOST];
+        beside.iter().for_each(|(place, number)| numbers[*place] = *number);
+        let row = [time_s, latitude_deg, longitude_deg, elevation_m.unwrap_or(0.0)];
+        let count = rows.beside.len();
+        rows.push(line, &row, &numbers[..count])?;
     }
     let heights = if has_elevation {
         "ele is taken as the height above the sea, and the geoid as 0 m unless log.geoid sets it"
@@ -82,7 +101,10 @@ fn fixes(file: &[u8]) -> Result<Fixes, LogError> {
     let mut reader = Reader::from_reader(file);
     reader.config_mut().expand_empty_elements = true;
     let clock = Clock::new(&LogMapping { time_format: TimeFormat::Iso, ..LogMapping::default() });
-    let mut fixes = Fixes { clock, found: Vec::new(), without_time: 0, segments: 0 };
+    let (found, names, beside) = (Vec::new(), Vec::new(), Vec::new());
+    let mut fixes = Fixes { clock, found, without_time: 0, segments: 0, names, beside };
+    // The text of the element that is open.
+    let mut inner = String::new();
     let mut point: Option<Point> = None;
     let mut is_in_new_segment = false;
     // Names of the elements that are open.
@@ -121,19 +143,23 @@ fn fixes(file: &[u8]) -> Result<Fixes, LogError> {
                     point = Some(Point { line, latitude_deg, longitude_deg, ..Point::default() });
                 }
                 open.push(name);
+                inner.clear();
             }
             // The reader compares the names.
             Event::End(_) => {
-                open.pop();
+                let name = open.pop().unwrap_or_default();
+                if let Some(point) = point.as_mut().filter(|_| open.iter().any(|above| above == "trkpt")) {
+                    fixes.take_beside(point, &name, &inner);
+                }
+                inner.clear();
             }
             Event::Text(text) => {
                 // Extensions have times and heights of their own deeper in the point.
-                let of_point = match (point.as_mut(), open.as_slice()) {
-                    (Some(point), [.., parent, name]) if parent == "trkpt" => match name.as_str() {
-                        "ele" => &mut point.elevation,
-                        "time" => &mut point.time,
-                        _ => continue,
-                    },
+                let is_own = |name: &str| matches!(open.as_slice(), [.., parent, own] if parent == "trkpt" && own == name);
+                let of_point = match point.as_mut() {
+                    Some(point) if is_own("ele") => &mut point.elevation,
+                    Some(point) if is_own("time") => &mut point.time,
+                    _ if inner.len() + text.len() <= MAX_TEXT => &mut inner,
                     _ => continue,
                 };
                 if of_point.len() + text.len() > MAX_TEXT {
@@ -155,11 +181,33 @@ fn fixes(file: &[u8]) -> Result<Fixes, LogError> {
 }
 
 impl Fixes {
+    /// Takes the text of an element in a point, if it is a number of the motion.
+    fn take_beside(&mut self, point: &mut Point, name: &str, text: &str) {
+        let Some(number) = text.trim().parse().ok().filter(|number: &f64| number.is_finite()) else { return };
+        let known = self.names.iter().find(|(known, _)| known == name).map(|(_, place)| *place);
+        let place = known.unwrap_or_else(|| {
+            if self.names.len() == MAX_NAMES || self.beside.len() == MOST {
+                return None;
+            }
+            let place = self.beside.len();
+            let found = Unread::of_name(COLUMNS.len() + place, name);
+            let place = found.is_some().then_some(place);
+            self.beside.extend(found);
+            self.names.push((name.to_owned(), place));
+            place
+        });
+        if let Some(place) = place {
+            point.beside.retain(|(other, _)| *other != place);
+            point.beside.push((place, number));
+        }
+    }
+
     /// Takes a point that has been read.
     fn take(&mut self, point: Option<Point>) -> Result<(), LogError> {
         let Some(point) = point else { return Ok(()) };
         let of_point = |sentence: String| fault(point.line, 1, format!("trkpt: {sentence}"));
-        match fix(&point, &mut self.clock).map_err(of_point)? {
+        let fix = fix(&point, &mut self.clock).map_err(of_point)?;
+        match fix.map(|fix| Fix { beside: point.beside, ..fix }) {
             Some(fix) => {
                 room_for_one_more(&mut self.found).map_err(LogError::Memory)?;
                 self.found.push(fix);
@@ -187,7 +235,7 @@ fn fix(point: &Point, clock: &mut Clock) -> Result<Option<Fix>, String> {
             Some(finite.ok_or_else(|| expected("ele", "a finite number [m]", text))?)
         }
     };
-    Ok(Some(Fix { line, time_s, latitude_deg, longitude_deg, elevation_m }))
+    Ok(Some(Fix { line, time_s, latitude_deg, longitude_deg, elevation_m, beside: Vec::new() }))
 }
 
 fn newlines(text: &[u8]) -> u64 {

@@ -5,6 +5,8 @@ use std::ops::Range;
 use super::{Record, left_out};
 use crate::base::memory::room_for_one_more;
 use crate::base::text::excerpt;
+use crate::log::quantity::{SPEED, TRACK};
+use crate::log::unread::Unread;
 use crate::log::{Clock, LogError, LogMapping, TimeFormat, fault};
 
 /// The columns of a B record, from 0.
@@ -15,13 +17,19 @@ const VALIDITY: Range<usize> = 24..25;
 const PRESSURE: Range<usize> = 25..30;
 const GNSS: Range<usize> = 30..35;
 
-/// Columns of further digits of the latitude, the longitude and the seconds; empty: a B record has none.
+/// What extensions of B records add that is used.
 #[derive(Default)]
-struct Digits([Range<usize>; 3]);
+struct Extensions {
+    /// Columns of further digits of the latitude, the longitude and the seconds; empty: a B record has none.
+    digits: [Range<usize>; 3],
+    /// Columns of the speed over ground and the true track; empty: a B record has none.
+    motion: [Range<usize>; 2],
+}
 
-impl Digits {
+impl Extensions {
     /// Their names in an I record.
-    const NAMES: [&str; 3] = ["LAD", "LOD", "TDS"];
+    const DIGITS: [&str; 3] = ["LAD", "LOD", "TDS"];
+    const MOTION: [&str; 2] = ["GSP", "TRT"];
 
     /// Those of an I record: behind the number of extensions each has its first and last column, from 1, and its name.
     fn of(record: &str) -> Self {
@@ -29,9 +37,12 @@ impl Digits {
         let extensions = record.as_bytes().get(3..).unwrap_or_default().chunks_exact(7);
         for extension in extensions.filter_map(|bytes| std::str::from_utf8(bytes).ok()) {
             let place = |columns| extension.get(columns).and_then(|text: &str| text.parse::<usize>().ok());
-            let known = Self::NAMES.iter().position(|name| extension.ends_with(name));
-            if let (Some(known), Some(first @ 1..), Some(last)) = (known, place(0..2), place(2..4)) {
-                all.0[known] = first - 1..last;
+            let (Some(first @ 1..), Some(last)) = (place(0..2), place(2..4)) else { continue };
+            let is_it = |name: &&str| extension.ends_with(name);
+            if let Some(known) = Self::DIGITS.iter().position(is_it) {
+                all.digits[known] = first - 1..last;
+            } else if let Some(known) = Self::MOTION.iter().position(is_it) {
+                all.motion[known] = first - 1..last;
             }
         }
         all
@@ -40,7 +51,27 @@ impl Digits {
     /// The digits of each in a B record; empty: it has none.
     fn texts<'r>(&self, record: &'r str) -> [&'r str; 3] {
         let text = |columns: &Range<usize>| record.get(columns.clone()).filter(|text| whole(text).is_some());
-        [0, 1, 2].map(|known| text(&self.0[known]).unwrap_or_default())
+        [0, 1, 2].map(|known| text(&self.digits[known]).unwrap_or_default())
+    }
+
+    /// Speed over ground [km/h] and true track [deg] of a B record; NaN: it has none. Speeds have three digits, or two more for hundredths.
+    fn motion(&self, record: &str) -> [f64; 2] {
+        self.motion.clone().map(|columns| {
+            let text = record.get(columns).unwrap_or_default();
+            let size = match text.len() {
+                3 => 1.0,
+                5 => 0.01,
+                _ => f64::NAN,
+            };
+            whole(text).map_or(f64::NAN, |number| number * size)
+        })
+    }
+
+    /// The columns of the motion, behind those of these names.
+    fn columns(names: &[&str]) -> Vec<Unread> {
+        let [speed, track] = Self::MOTION;
+        let place = names.len();
+        vec![Unread::defined(place, speed, SPEED, "km/h"), Unread::defined(place + 1, track, TRACK, "deg")]
     }
 }
 
@@ -53,18 +84,20 @@ struct Fix {
     pressure_m: f64,
     /// Height above the ellipsoid; `None`: 0 or no number.
     gnss_m: Option<f64>,
+    /// Speed over ground [km/h] and true track [deg]; NaN: none.
+    motion: [f64; 2],
 }
 
 /// The rows of a text.
 pub fn record(text: &str) -> Result<Record, LogError> {
     let mut clock = Clock::new(&LogMapping { time_format: TimeFormat::Hms, ..LogMapping::default() });
-    let (mut fixes, mut without_position, mut digits) = (Vec::new(), 0, Digits::default());
+    let (mut fixes, mut without_position, mut extensions) = (Vec::new(), 0, Extensions::default());
     // Records that are cut: how many, the line of the first, and its length.
     let mut cut: Option<(u64, u64, usize)> = None;
     let mut gnss_above = "above the ellipsoid";
     for (record, line) in text.split('\n').zip(1..) {
         if record.starts_with('I') {
-            digits = Digits::of(record);
+            extensions = Extensions::of(record.trim_end_matches('\r'));
         }
         // HFALG: what GNSS heights are above.
         if record.starts_with("HFALG") && record.contains("GEO") {
@@ -78,7 +111,7 @@ pub fn record(text: &str) -> Result<Record, LogError> {
             cut.get_or_insert((0, line, record.len())).0 += 1;
             continue;
         }
-        match fix(record, line, &digits, &mut clock) {
+        match fix(record, line, &extensions, &mut clock) {
             Ok(Some(fix)) => {
                 room_for_one_more(&mut fixes).map_err(LogError::Memory)?;
                 fixes.push(fix);
@@ -99,14 +132,16 @@ pub fn record(text: &str) -> Result<Record, LogError> {
         return Err(fault(0, 1, format!("{what} {without_position} with V")));
     }
     let mut rows = Record::new(&["time_s", "latitude_deg", "longitude_deg", "height_m", "pressure_height_m"]);
+    rows.beside = Extensions::columns(rows.names);
     let without_gnss = fixes.iter().filter(|fix| fix.gnss_m.is_none()).count() as u64;
     // The path has no step where GNSS heights begin or end.
     let above = |fix: &Fix| fix.gnss_m.map(|gnss_m| gnss_m - fix.pressure_m);
     let mut above_m = fixes.iter().find_map(above).unwrap_or(0.0);
     for fix in &fixes {
         above_m = above(fix).unwrap_or(above_m);
-        let Fix { line, time_s, latitude_deg, longitude_deg, pressure_m, .. } = *fix;
-        rows.push(line, [time_s, latitude_deg, longitude_deg, pressure_m + above_m, pressure_m])?;
+        let Fix { line, time_s, latitude_deg, longitude_deg, pressure_m, motion, .. } = *fix;
+        let row = [time_s, latitude_deg, longitude_deg, pressure_m + above_m, pressure_m];
+        rows.push(line, &row, &motion)?;
     }
     let heights = match without_gnss {
         0 => format!("heights of GNSS, {gnss_above}"),
@@ -127,7 +162,7 @@ pub fn record(text: &str) -> Result<Record, LogError> {
 }
 
 /// The fix of a B record with all its columns; `None`: its validity is V.
-fn fix(record: &str, line: u64, digits: &Digits, clock: &mut Clock) -> Result<Option<Fix>, String> {
+fn fix(record: &str, line: u64, extensions: &Extensions, clock: &mut Clock) -> Result<Option<Fix>, String> {
     let field = |name: &str, columns: Range<usize>, expected: &str| {
         let text = record.get(columns).unwrap_or(record);
         (text, format!("{name}: expected {expected}, found \"{}\"", excerpt(text)))
@@ -137,7 +172,7 @@ fn fix(record: &str, line: u64, digits: &Digits, clock: &mut Clock) -> Result<Op
         ("V", _) => return Ok(None),
         (_, sentence) => return Err(sentence),
     }
-    let [of_latitude, of_longitude, of_time] = digits.texts(record);
+    let [of_latitude, of_longitude, of_time] = extensions.texts(record);
     let (text, sentence) = field("time", TIME, "HHMMSS");
     let time_s = whole(text).and_then(|_| clock.next(&format!("{text}.{of_time}"))).ok_or(sentence)?;
     let (text, sentence) = field("latitude", LATITUDE, "DDMMmmmN or DDMMmmmS, at most 90 degrees");
@@ -150,7 +185,8 @@ fn fix(record: &str, line: u64, digits: &Digits, clock: &mut Clock) -> Result<Op
     let is_missing = text.chars().all(|letter| matches!(letter, ' ' | '-'));
     let gnss_m = if is_missing { 0.0 } else { height(text).ok_or(sentence)? };
     let gnss_m = (gnss_m != 0.0).then_some(gnss_m);
-    Ok(Some(Fix { line, time_s, latitude_deg, longitude_deg, pressure_m, gnss_m }))
+    let motion = extensions.motion(record);
+    Ok(Some(Fix { line, time_s, latitude_deg, longitude_deg, pressure_m, gnss_m, motion }))
 }
 
 /// A number of digits alone.

@@ -7,6 +7,7 @@ mod igc;
 use super::column::LogColumn;
 use super::foreign::Foreign;
 use super::mapping::LogMapping;
+use super::unread::Unread;
 use super::{LogError, fault};
 use crate::base::memory::room_for_one_more;
 use crate::base::records::rounded;
@@ -15,9 +16,11 @@ use crate::base::records::rounded;
 pub struct Record {
     /// Names of the columns; the first is the time.
     pub names: &'static [&'static str],
+    /// What else it has of the motion, in the columns behind these.
+    pub beside: Vec<Unread>,
     /// What was assumed, in a sentence.
     pub note: String,
-    /// The numbers, row by row.
+    /// The numbers, row by row; NaN: none of what stands beside.
     values: Vec<f64>,
     /// The line of each row in the file, from 1.
     lines: Vec<u64>,
@@ -36,12 +39,12 @@ impl Record {
 
     /// No rows under these names.
     fn new(names: &'static [&'static str]) -> Self {
-        Self { names, note: String::new(), values: Vec::new(), lines: Vec::new() }
+        Self { names, beside: Vec::new(), note: String::new(), values: Vec::new(), lines: Vec::new() }
     }
 
-    /// Adds a row, which stands on `line`.
-    fn push<const COLUMNS: usize>(&mut self, line: u64, row: [f64; COLUMNS]) -> Result<(), LogError> {
-        for value in row {
+    /// Adds a row, which stands on `line`, with what it has beside.
+    fn push(&mut self, line: u64, row: &[f64], beside: &[f64]) -> Result<(), LogError> {
+        for &value in row.iter().chain(beside) {
             room_for_one_more(&mut self.values).map_err(LogError::Memory)?;
             self.values.push(value);
         }
@@ -57,7 +60,7 @@ impl Record {
 
     /// The rows, each with its line.
     pub fn rows(&self) -> impl Iterator<Item = (&[f64], u64)> {
-        self.values.chunks_exact(self.names.len()).zip(self.lines.iter().copied())
+        self.values.chunks_exact(self.names.len() + self.beside.len()).zip(self.lines.iter().copied())
     }
 
     /// The intervals between rows in words. A repeated stamp has none: its row is left out.

@@ -36,6 +36,9 @@ const COURSE_AGREES_DEG: f64 = 5.0;
 /// Smallest angle of a course or a heading that contradicts: one may be magnetic, and a vehicle drifts.
 const CONTRADICTS_DEG: f64 = 60.0;
 
+/// Least ratio of a speed to that of a record that contradicts, as a logarithm, of a quarter: below it noise and rare rows explain it.
+const RECORD_CONTRADICTS: f64 = 0.22;
+
 /// Largest step of the numbers of a speed that widens what agrees, as a share of them.
 const COARSEST: f64 = 0.3;
 
@@ -150,7 +153,11 @@ impl Compared<'_> {
         }
         // Another one may be through the air, or along the path.
         let words = unit_and_words(&self.column.name).1.concat();
-        if !OVER_GROUND.iter().any(|name| words.ends_with(name)) {
+        let may_contradict = match self.column.of_record {
+            true => sizes.iter().all(|(_, size)| ln(ratio / size).abs() > RECORD_CONTRADICTS),
+            false => OVER_GROUND.iter().any(|name| words.ends_with(name)),
+        };
+        if !may_contradict {
             return Said::Unlike;
         }
         let stated = unit_of(Dimension::Speed, self.column.unit).map_or(1.0, |(_, size)| size);

@@ -22,7 +22,7 @@ use compare::{Said, compare};
 use flown::Flown;
 
 /// Most columns that are looked at, and most whose names a note has.
-const MOST: usize = 24;
+pub const MOST: usize = 24;
 const MOST_NAMED: usize = 8;
 
 /// What a name is like that does not say its quantity, by a word in it.
@@ -52,6 +52,8 @@ pub struct Unread {
     unit: &'static str,
     /// -1: its name says that it has the opposite sign.
     sign: f64,
+    /// Whether it is of a flight record: a speed is over ground, and the path through the rare rows may be shorter than the way.
+    of_record: bool,
     /// How its times are written, as those of a column of the time.
     format: Option<TimeFormat>,
     /// The times of the rows [s], and its numbers there.
@@ -85,9 +87,21 @@ impl Evidence {
         Self { columns: of_motion.take(MOST).collect(), line, separator, missing: mapping.missing }
     }
 
-    /// None, as of a record.
-    pub fn none() -> Self {
-        Self { columns: Vec::new(), line: 0, separator: Separator::Comma, missing: None }
+    /// Those of a record, which are none of a table without names.
+    pub fn of_record(columns: &[Unread]) -> Self {
+        let columns = columns.iter().map(|column| (column.clone(), clock(TimeFormat::Number))).collect();
+        Self { columns, line: 0, separator: Separator::Comma, missing: None }
+    }
+
+    /// Takes the numbers of a row of a record that is read, at its time.
+    pub fn take_numbers(&mut self, row: &[f64], time_s: f64) -> Result<(), Error> {
+        for (column, _) in &mut self.columns {
+            if let Some(value) = row.get(column.place).filter(|value| value.is_finite()) {
+                room_for_one_more(&mut column.values)?;
+                column.values.push([time_s, *value]);
+            }
+        }
+        Ok(())
     }
 
     /// Takes the cells of a row that is read, at its time.
@@ -114,6 +128,27 @@ fn clock(time_format: TimeFormat) -> Clock {
 }
 
 impl Unread {
+    /// A column of a record, as its format defines it.
+    pub fn defined(place: usize, name: &str, quantity: usize, unit: &'static str) -> Self {
+        Self {
+            place,
+            name: name.to_owned(),
+            quantity: Some(quantity),
+            like: None,
+            unit,
+            sign: 1.0,
+            of_record: true,
+            format: None,
+            values: Vec::new(),
+        }
+    }
+
+    /// A column of a record whose name says its quantity, but for the time.
+    pub fn of_name(place: usize, name: &str) -> Option<Self> {
+        let found = Self::of(place, name).filter(|found| found.quantity.is_some_and(|of| of != TIME))?;
+        Some(Self { of_record: true, ..found })
+    }
+
     /// That of a name; `None`: it is none of the motion.
     fn of(place: usize, name: &str) -> Option<Self> {
         let is_of_motion = |quantity: &usize| {
@@ -146,6 +181,7 @@ impl Unread {
             like,
             unit,
             sign,
+            of_record: false,
             format: None,
             values: Vec::new(),
         })
