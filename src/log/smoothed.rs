@@ -9,7 +9,7 @@ use crate::base::text::Fault;
 use crate::base::units::DEG;
 use crate::earth::{Earth, Geodetic};
 use crate::judge::{Finding, Judge, Level};
-use crate::log::smooth::{SmoothOptions, Smoothed, SmoothedPart};
+use crate::log::smooth::{ASSUMED_ATTITUDE_COSTS, SmoothOptions, Smoothed, SmoothedPart};
 use crate::truth::FlightSample;
 
 /// Most samples of a smoothed log: of any, and of one with few rows, 1e6 and so many a row, whatever their time stamps are.
@@ -175,7 +175,12 @@ fn said(smoothed: &Smoothed, had_velocities: bool, rows: &[RowOfPath]) -> Vec<St
         ));
     }
     if smoothed.is_coordinated {
-        lines.push("attitude: assumed, that of a coordinated flight without wind".to_owned());
+        let [aeroplanes, gliders, hovering] = ASSUMED_ATTITUDE_COSTS;
+        lines.push(format!(
+            "attitude: assumed, that of a coordinated flight without wind; CEP50 and R95 of an INS differ by up to {} % from those of the flight for aeroplanes, by {} % for gliders that circle and ships, and by a factor of {hovering} for what stops or hovers",
+            100.0 * aeroplanes,
+            100.0 * gliders
+        ));
     } else {
         lines.push(part("attitude", &smoothed.attitude(), "deg", DEG));
     }

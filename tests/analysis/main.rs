@@ -20,6 +20,7 @@ mod recommend;
 #[cfg(feature = "scenes")]
 mod smooth;
 #[cfg(feature = "scenes")]
+mod smooth_assumed;
 mod smooth_cep;
 #[cfg(feature = "scenes")]
 mod smooth_kinds;

@@ -19,7 +19,7 @@ const RATE_HZ: f64 = 50.0;
 const LONGEST_S: f64 = 600.0;
 
 /// Radii within which half and 95 % of the runs are at the end [m].
-fn radii(samples: &[FlightSample], grade: Grade, runs: usize) -> [f64; 2] {
+pub fn radii(samples: &[FlightSample], grade: Grade, runs: usize) -> [f64; 2] {
     let (gyro, accel) = grade.parameters();
     let errors = ErrorParameters { gyro, accel, initial: grade.start(), ..ErrorParameters::default() };
     let options = Options {

@@ -64,6 +64,11 @@ const CORRECTED: f64 = 0.35;
 /// Share of the rows on which the heights of a filter are new: rounding repeats some.
 const LIVE: f64 = 0.99;
 
+/// What an assumed attitude costs: CEP50 and R95 of an INS on the path differ from those on the flight by at most these shares, in nine of
+/// ten cases, for aeroplanes, and for gliders that circle and ships; and by at most this factor for what stops or hovers.
+/// Evidence: `analysis::smooth_assumed`, and the table of `docs/your_log.md`.
+pub const ASSUMED_ATTITUDE_COSTS: [f64; 3] = [0.1, 0.3, 3.0];
+
 /// How rows become a path.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SmoothOptions {
