@@ -189,10 +189,10 @@ impl FlightLog {
         &self.of_rows
     }
 
-    /// The line of a finding of its judge, from 1.
+    /// The line of a finding of its judge, from 1; `None`: it is of the whole log.
     pub fn line_of(&self, finding: &Finding) -> Option<u64> {
         let of_row = self.of_rows.iter().find(|(known, _)| known == finding).map(|(_, line)| *line);
-        of_row.or_else(|| self.line(finding.at.row as usize)).filter(|_| finding.count > 0)
+        of_row.or_else(|| self.line(finding.at.row as usize)).filter(|line| *line > 0 && finding.count > 0)
     }
 
     /// The line of the text on which sample `index` stands, from 1.

@@ -3,16 +3,20 @@
 
 use super::Record;
 use crate::base::text::excerpt;
-use crate::log::quantity::TRACK;
+use crate::log::quantity::{SPEED, TRACK};
 use crate::log::unread::{MOST, Unread};
 use crate::log::{Clock, LogError, LogMapping, TimeFormat, fault};
 
 /// Columns of a row behind its time.
 const COLUMNS: [&str; 6] = ["longitude", "latitude", "altitude", "magnetic heading", "pitch", "roll"];
 
-/// Names of datarefs that say no quantity: which they have, and in which unit. The climb stands behind the track.
-const DATAREFS: [(&str, usize, &str); 3] =
-    [("hpath", TRACK, "deg"), ("vh_ind", TRACK + 1, "m/s"), ("vh_ind_fpm", TRACK + 1, "ft/min")];
+/// Names of datarefs whose names do not say the quantity and its unit. The climb stands behind the track.
+const DATAREFS: [(&str, usize, &str); 4] = [
+    ("groundspeed", SPEED, "m/s"),
+    ("hpath", TRACK, "deg"),
+    ("vh_ind", TRACK + 1, "m/s"),
+    ("vh_ind_fpm", TRACK + 1, "ft/min"),
+];
 
 /// Metres of a foot.
 const FOOT_M: f64 = 0.3048;

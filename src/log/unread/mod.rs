@@ -143,10 +143,13 @@ impl Unread {
         }
     }
 
-    /// A column of a record whose name says its quantity, but for the time.
+    /// A column of a record whose name says its quantity, but for the time. Its angles are in degrees.
     pub fn of_name(place: usize, name: &str) -> Option<Self> {
-        let found = Self::of(place, name).filter(|found| found.quantity.is_some_and(|of| of != TIME))?;
-        Some(Self { of_record: true, ..found })
+        let found = Self::of(place, name)?;
+        let quantity = found.quantity.filter(|quantity| *quantity != TIME)?;
+        let is_angle = QUANTITIES[quantity].dimension == Dimension::Angle;
+        let unit = if is_angle && found.unit.is_empty() { "deg" } else { found.unit };
+        Some(Self { of_record: true, unit, ..found })
     }
 
     /// That of a name; `None`: it is none of the motion.
