@@ -161,12 +161,12 @@ fn mapped_column(
         );
         return Err(fault(0, 1, sentence));
     }
-    let place = place_of(header, line, &mapped.from, key)?;
+    let place = place_of(header, line, &mapped.from, &format!("log.{key}"))?;
     let unit = place.and_then(|place| unit_of_name(mapped, header.get(place)?, quantity));
     let [factor, offset] = mapped.factor_and_offset(quantity, unit.unwrap_or(mapped.unit));
-    let hemisphere = place_of(header, line, &mapped.hemisphere, &format!("{key}.hemisphere"))?;
+    let hemisphere = place_of(header, line, &mapped.hemisphere, &format!("log.{key}.hemisphere"))?;
     let sixtieth = |index: usize| {
-        place_of(header, line, &mapped.sixtieths[index], &format!("{key}.{}", SIXTIETHS[index]))
+        place_of(header, line, &mapped.sixtieths[index], &format!("log.{key}.{}", SIXTIETHS[index]))
     };
     let sixtieths = [sixtieth(0)?, sixtieth(1)?];
     let (offset, name) = match &mapped.from {
@@ -188,28 +188,28 @@ fn mapped_column(
 }
 
 /// The unit that the name of a column states, if `[log]` states neither unit nor scale: another one than the quantity has anyway.
-fn unit_of_name(mapped: &LogColumn, name: &str, quantity: usize) -> Option<&'static str> {
+pub fn unit_of_name(mapped: &LogColumn, name: &str, quantity: usize) -> Option<&'static str> {
     let dimension = QUANTITIES[quantity].dimension;
     let is_open = mapped.unit.is_empty() && mapped.scale.abs() == 1.0;
     let unit = is_open.then(|| unit_in_name(name, dimension)).flatten()?;
     unit_of(dimension, "").is_some_and(|(usual, _)| usual != unit).then_some(unit)
 }
 
-/// The place in a row of the column that `key` gives; `None`: it gives none.
-fn place_of(
+/// The place in a row of the column that `key` gives, which is named with its section; `None`: it gives none.
+pub fn place_of(
     header: &StringRecord,
     line: u64,
     from: &ColumnFrom,
     key: &str,
 ) -> Result<Option<usize>, LogError> {
-    let refused = |sentence: String| Err(fault(line, 1, format!("log.{key}: {sentence}")));
+    let refused = |sentence: String| Err(fault(line, 1, format!("{key}: {sentence}")));
     match from {
         ColumnFrom::Name(wanted) => {
             let mut places = header.iter().enumerate().filter(|(_, name)| name.trim() == wanted);
             match (places.next(), places.next()) {
                 (Some((place, _)), None) => Ok(Some(place)),
                 (Some(_), Some((place, _))) => {
-                    let sentence = format!("log.{key}: an earlier column is {} too", excerpt(wanted));
+                    let sentence = format!("{key}: an earlier column is {} too", excerpt(wanted));
                     Err(fault(line, place + 1, sentence))
                 }
                 (None, _) => {
@@ -232,7 +232,7 @@ fn place_of(
 pub fn only_place(header: &StringRecord, line: u64, mapping: &LogMapping) -> Result<Option<usize>, LogError> {
     let wanted = &mapping.only_column;
     let from = if wanted.is_empty() { ColumnFrom::OwnName } else { ColumnFrom::Name(wanted.clone()) };
-    place_of(header, line, &from, "only_column")
+    place_of(header, line, &from, "log.only_column")
 }
 
 /// Checks that no quantity is given in two forms.

@@ -1,9 +1,9 @@
-//! `[log]`: how the table of a log is read, and what is repaired.
+//! `[log]` and `[imu]`: how a table is read, and what is repaired.
 
 use std::borrow::Cow;
 
 use super::column::{ColumnFrom, LogColumn};
-use super::quantity::{Q0, QUANTITIES, ROLL, VARIATION, VELOCITY};
+use super::quantity::{IMU_QUANTITIES, Q0, QUANTITIES, ROLL, VARIATION, VELOCITY};
 
 /// How times are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -127,6 +127,11 @@ pub struct LogMapping {
 }
 
 impl LogMapping {
+    /// That of `[imu]`, for a record of an IMU: no column is named.
+    pub fn of_imu() -> Self {
+        Self { columns: vec![LogColumn::default(); IMU_QUANTITIES.len()].into(), ..Self::default() }
+    }
+
     /// Whether the path is smoothed: so it is too if the attitude follows from it.
     pub fn smooths(&self) -> bool {
         self.smooth || self.is_coordinated

@@ -58,63 +58,91 @@ impl FlightLog {
     }
 
     fn of_table(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
-        for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
-            check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
-        }
         let comment = mapping.comment.as_bytes().first().copied().unwrap_or(b'#');
-        // The reader takes a comment without a line end, which can only be the last line, for a row.
-        let last = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
-        let text = if text[last..].starts_with(&[comment]) { &text[..last] } else { text };
-        let with_single_blanks =
-            if mapping.separator == Separator::Blanks { single_blanks(text)? } else { Vec::new() };
-        let text = if with_single_blanks.is_empty() { text } else { &with_single_blanks };
-        let mut rows = TextRows { reader: reader(text, mapping.separator, Some(comment)), text, comment };
-        let mut row = StringRecord::new();
-        let line = rows.header(mapping, &mut row)?;
-        let has_names = mapping.header > 0;
-        let names = if has_names { names_of(&row, mapping.separator) } else { row.clone() };
-        let columns =
-            columns(&names, line, mapping).map_err(|error| with_later_header(error, text, mapping))?;
-        let notes = if has_names { unread(&names, line, &columns, mapping) } else { Vec::new() };
-        let only = only_place(&names, line, mapping)?;
-        let evidence = match has_names {
-            true => Evidence::new(&names, line, &columns, mapping, only),
-            false => Evidence::of_record(&[]),
-        };
         // The first comment of another program holds its own data.
         let title = if mapping.is_foreign() { String::new() } else { title(text, comment) };
-        let mut reading = Reading::new(title, columns, notes, mapping, evidence);
-        let header = Header {
-            names: has_names.then(|| row.clone()),
-            width: names.len(),
-            is_foreign: mapping.is_foreign(),
+        let begin = |names: &StringRecord, line: u64| {
+            let has_names = mapping.header > 0;
+            let columns = columns(names, line, mapping)?;
+            let notes = if has_names { unread(names, line, &columns, mapping) } else { Vec::new() };
+            let evidence = match has_names {
+                true => Evidence::new(names, line, &columns, mapping, only_place(names, line, mapping)?),
+                false => Evidence::of_record(&[]),
+            };
+            Ok(Reading::new(title, columns, notes, mapping, evidence))
         };
-        // Without names the first row is one of values.
-        let mut next = if has_names { rows.next(&mut row)? } else { Some(line) };
-        let mut to_skip = mapping.skip;
-        let ends = text.iter().filter(|byte| **byte == b'\n').count() as u64;
-        let unended = (!text.ends_with(b"\n")).then_some(ends + 1);
-        let mut widest = 0;
-        while let Some(line) = next {
-            let is_cut = unended == Some(line) && row.len() < widest;
-            widest = widest.max(row.len());
-            if to_skip > 0 {
-                to_skip -= 1;
-            } else if is_cut {
-                reading.cut_off(line);
-            } else if header.is_early(&row) && reading.has_no_fix() {
-                reading.leave_out(line);
-            } else if !header.passes(&row) {
-                header.check_width(&row, line)?;
-                match only.is_none_or(|place| row.get(place) == Some(&mapping.only)) {
-                    true => reading.row(Cells::Texts(&row), line)?,
-                    false => reading.others += 1,
-                }
-            }
-            next = rows.next(&mut row)?;
-        }
-        reading.finish(ends)
+        let (reading, last) = read_table(text, mapping, begin)?;
+        reading.finish(last)
     }
+}
+
+/// What takes the rows of a table.
+pub trait Take {
+    /// Takes the row on `line`.
+    fn row(&mut self, row: &StringRecord, line: u64) -> Result<(), LogError>;
+    /// Leaves the row on `line` out.
+    fn leave_out(&mut self, line: u64);
+    /// Leaves the last row out, which is cut off.
+    fn cut_off(&mut self, line: u64);
+    /// Counts a row of another vehicle.
+    fn other(&mut self);
+    /// Whether no row was taken yet.
+    fn is_empty(&self) -> bool;
+}
+
+/// Reads the rows of a table into what `begin` makes of its names and their line; with the number of line ends.
+pub fn read_table<T: Take>(
+    text: &[u8],
+    mapping: &LogMapping,
+    begin: impl FnOnce(&StringRecord, u64) -> Result<T, LogError>,
+) -> Result<(T, u64), LogError> {
+    for (line, number) in text.split_inclusive(|byte| *byte == b'\n').zip(1..) {
+        check_line(line).map_err(|sentence| fault(number, 1, sentence))?;
+    }
+    let comment = mapping.comment.as_bytes().first().copied().unwrap_or(b'#');
+    // The reader takes a comment without a line end, which can only be the last line, for a row.
+    let last = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |newline| newline + 1);
+    let text = if text[last..].starts_with(&[comment]) { &text[..last] } else { text };
+    let with_single_blanks =
+        if mapping.separator == Separator::Blanks { single_blanks(text)? } else { Vec::new() };
+    let text = if with_single_blanks.is_empty() { text } else { &with_single_blanks };
+    let mut rows = TextRows { reader: reader(text, mapping.separator, Some(comment)), text, comment };
+    let mut row = StringRecord::new();
+    let line = rows.header(mapping, &mut row)?;
+    let has_names = mapping.header > 0;
+    let names = if has_names { names_of(&row, mapping.separator) } else { row.clone() };
+    let mut taken = begin(&names, line).map_err(|error| with_later_header(error, text, mapping))?;
+    let only = only_place(&names, line, mapping)?;
+    let header = Header {
+        names: has_names.then(|| row.clone()),
+        width: names.len(),
+        is_foreign: mapping.is_foreign(),
+    };
+    // Without names the first row is one of values.
+    let mut next = if has_names { rows.next(&mut row)? } else { Some(line) };
+    let mut to_skip = mapping.skip;
+    let ends = text.iter().filter(|byte| **byte == b'\n').count() as u64;
+    let unended = (!text.ends_with(b"\n")).then_some(ends + 1);
+    let mut widest = 0;
+    while let Some(line) = next {
+        let is_cut = unended == Some(line) && row.len() < widest;
+        widest = widest.max(row.len());
+        if to_skip > 0 {
+            to_skip -= 1;
+        } else if is_cut {
+            taken.cut_off(line);
+        } else if header.is_early(&row) && taken.is_empty() {
+            taken.leave_out(line);
+        } else if !header.passes(&row) {
+            header.check_width(&row, line)?;
+            match only.is_none_or(|place| row.get(place) == Some(&mapping.only)) {
+                true => taken.row(&row, line)?,
+                false => taken.other(),
+            }
+        }
+        next = rows.next(&mut row)?;
+    }
+    Ok((taken, ends))
 }
 
 /// A fault about columns that are not in the header, with the line that has all names of `[log]`, if there is one.
@@ -169,8 +197,14 @@ impl TextRows<'_> {
                 first => break first,
             }
         };
-        let expected = "as time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad";
-        let none = || fault(1, 1, format!("no header: expected the names of the columns, {expected}"));
+        let none = || {
+            let expected = if mapping.is_foreign() {
+                String::new()
+            } else {
+                ", as time_s,latitude_rad,longitude_rad,height_m,roll_rad,pitch_rad,heading_rad".to_owned()
+            };
+            fault(1, 1, format!("no header: expected the names of the columns{expected}"))
+        };
         let line = first.ok_or_else(none)?;
         if row.len() > MAX_COLUMNS {
             return Err(fault(line, 1, format!("{} columns: a log has at most {MAX_COLUMNS}", row.len())));

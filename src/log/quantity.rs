@@ -1,7 +1,7 @@
 //! The quantities of a log, and the units of its columns.
 
 use crate::base::error::Error;
-use crate::base::units::{DEG, NMI_PER_HOUR, STANDARD_GRAVITY};
+use crate::base::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, NMI_PER_HOUR, STANDARD_GRAVITY};
 
 /// What a quantity measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,6 +14,10 @@ pub enum Dimension {
     Acceleration,
     Temperature,
     Number,
+    /// What a gyro of a record of an IMU gives: a rate, or an angle over an interval.
+    Gyro,
+    /// What an accelerometer gives: a force, or a velocity over an interval.
+    Accelerometer,
 }
 
 /// A quantity of a log.
@@ -40,7 +44,9 @@ const fn quantity(
     Quantity { key, name, field, index, dimension }
 }
 
-use Dimension::{Acceleration, Angle, AngularRate, Length, Number, Speed, Temperature, Time};
+use Dimension::{
+    Acceleration, Accelerometer, Angle, AngularRate, Gyro, Length, Number, Speed, Temperature, Time,
+};
 
 /// The quantities. Those that a sample has come first.
 pub const QUANTITIES: [Quantity; 29] = [
@@ -75,6 +81,17 @@ pub const QUANTITIES: [Quantity; 29] = [
     quantity("geoid", "", "", None, Length),
 ];
 
+/// The quantities of `[imu]`, the columns of a record of an IMU. They are no quantities of a sample.
+pub const IMU_QUANTITIES: [Quantity; 7] = [
+    quantity("time", "", "", None, Time),
+    quantity("gyro_x", "", "", None, Gyro),
+    quantity("gyro_y", "", "", None, Gyro),
+    quantity("gyro_z", "", "", None, Gyro),
+    quantity("accelerometer_x", "", "", None, Accelerometer),
+    quantity("accelerometer_y", "", "", None, Accelerometer),
+    quantity("accelerometer_z", "", "", None, Accelerometer),
+];
+
 /// Number of quantities of a sample.
 pub const OF_SAMPLE: usize = 17;
 
@@ -100,7 +117,7 @@ pub const GEOID: usize = 28;
 pub const DDMM: &str = "ddmm";
 
 /// The units, and their sizes in SI. The first of a dimension is that of a key of `[log]` that states none.
-const UNITS: [(&str, Dimension, f64); 32] = [
+const UNITS: [(&str, Dimension, f64); 45] = [
     ("s", Time, 1.0),
     ("ms", Time, 1e-3),
     ("us", Time, 1e-6),
@@ -133,6 +150,19 @@ const UNITS: [(&str, Dimension, f64); 32] = [
     ("deg C", Temperature, 1.0),
     ("C", Temperature, 1.0),
     ("1", Number, 1.0),
+    ("rad/s", Gyro, 1.0),
+    ("deg/s", Gyro, DEG),
+    ("mdeg/s", Gyro, 1e-3 * DEG),
+    ("deg/h", Gyro, DEG_PER_HOUR),
+    ("rad", Gyro, 1.0),
+    ("deg", Gyro, DEG),
+    ("arcsec", Gyro, ARCSEC),
+    ("m/s2", Accelerometer, 1.0),
+    ("g", Accelerometer, STANDARD_GRAVITY),
+    ("mg", Accelerometer, 1e-3 * STANDARD_GRAVITY),
+    ("ug", Accelerometer, MICRO_G),
+    ("m/s", Accelerometer, 1.0),
+    ("mm/s", Accelerometer, 1e-3),
 ];
 
 /// A unit of a dimension, and its size in SI; an empty name: the one that a key has which states none. `None`: no such unit.
@@ -144,6 +174,30 @@ pub fn unit_of(dimension: Dimension, name: &str) -> Option<(&'static str, f64)> 
 /// The names of the units of a dimension.
 pub fn units_of(dimension: Dimension) -> impl Iterator<Item = &'static str> {
     UNITS.iter().filter(move |(_, its, _)| *its == dimension).map(|(unit, ..)| *unit)
+}
+
+/// A unit of the outputs of a sensor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImuUnit {
+    /// Its name in `[imu]`, as "deg/s".
+    pub name: &'static str,
+    /// Of a gyro, and not of an accelerometer.
+    pub is_gyro: bool,
+    /// Of an angle or a velocity over an interval, and not of their rate.
+    pub is_increment: bool,
+    /// Its size in rad/s, m/s², rad or m/s.
+    pub si: f64,
+}
+
+/// The units of gyros, then those of accelerometers.
+pub fn imu_units() -> impl Iterator<Item = ImuUnit> {
+    [(Gyro, Angle), (Accelerometer, Speed)].into_iter().flat_map(|(sensor, of_increment)| {
+        units_of(sensor).filter_map(move |name| {
+            let (name, si) = unit_of(sensor, name)?;
+            let is_increment = unit_of(of_increment, name).is_some();
+            Some(ImuUnit { name, is_gyro: sensor == Gyro, is_increment, si })
+        })
+    })
 }
 
 /// The name of the column of a quantity of a sample.

@@ -1,7 +1,10 @@
 //! A log while its rows are read.
 
+use csv::StringRecord;
+
 use super::columns::Columns;
 use super::marks::DecimalMarks;
+use super::parse::Take;
 use super::rows::{Cells, Table};
 use super::unread::Evidence;
 use super::{Clock, FlightLog, LogError, LogMapping, fault};
@@ -19,7 +22,7 @@ pub struct Reading<'m> {
     /// Rows without a value: how many, and the line of the first.
     left_out: Option<(u64, u64)>,
     /// Rows of other vehicles.
-    pub others: u64,
+    others: u64,
     /// Rows at the time and the place of the row before.
     repeats: u64,
     /// Rows before the time of the row before: how many, line and time of the first [s].
@@ -57,20 +60,9 @@ impl<'m> Reading<'m> {
         self.log.notes.push(Fault { sentence, ..Fault::default() });
     }
 
-    /// Whether no row had a value of each quantity yet.
-    pub fn has_no_fix(&self) -> bool {
-        self.log.samples.is_empty()
-    }
-
     /// Leaves the row on `line` out.
-    pub fn leave_out(&mut self, line: u64) {
+    fn leave_out(&mut self, line: u64) {
         self.left_out.get_or_insert((0, line)).0 += 1;
-    }
-
-    /// Leaves the last row out, which is cut off.
-    pub fn cut_off(&mut self, line: u64) {
-        let sentence = "the last line is cut off, and left out".to_owned();
-        self.log.notes.push(Fault { line: line as usize, column: 1, sentence, ..Fault::default() });
     }
 
     /// Takes the row on `line`.
@@ -162,6 +154,29 @@ impl<'m> Reading<'m> {
             return Err(fault(last + 1, 1, sentence));
         }
         Ok(log)
+    }
+}
+
+impl Take for Reading<'_> {
+    fn row(&mut self, row: &StringRecord, line: u64) -> Result<(), LogError> {
+        Reading::row(self, Cells::Texts(row), line)
+    }
+
+    fn leave_out(&mut self, line: u64) {
+        Reading::leave_out(self, line);
+    }
+
+    fn cut_off(&mut self, line: u64) {
+        let sentence = "the last line is cut off, and left out".to_owned();
+        self.log.notes.push(Fault { line: line as usize, column: 1, sentence, ..Fault::default() });
+    }
+
+    fn other(&mut self) {
+        self.others += 1;
+    }
+
+    fn is_empty(&self) -> bool {
+        self.log.samples.is_empty()
     }
 }
 

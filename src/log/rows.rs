@@ -157,7 +157,7 @@ impl Table<'_> {
 }
 
 /// The number of a quantity in a row of texts, whose column is at `place`; `None`: the value is missing. Times have the clock.
-fn number_of(
+pub fn number_of(
     row: &StringRecord,
     line: u64,
     (quantity, column, place): (usize, &Column, usize),

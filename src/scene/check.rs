@@ -39,7 +39,7 @@ impl Draft {
                 self.check_limits(section)?;
                 self.start.validate()
             }
-            Section::Log => self.check_limits(section),
+            Section::Log | Section::Imu => self.check_limits(section),
             Section::Output => {
                 self.check_limits(section)?;
                 self.scene.output.validate()
@@ -99,6 +99,8 @@ impl Scene {
             ("log.position_sigma_m", self.log.position_sigma_m),
             ("log.attitude_sigma_rad", self.log.attitude_sigma_rad),
             ("log.attack_rad", Some(self.log.attack_rad)),
+            ("imu.rate_hz", self.imu.rate_hz),
+            ("imu.missing", self.imu.missing),
         ];
         // NaN stands for a missing value in a draft.
         if let Some(&(field, _)) = any.iter().find(|(_, number)| number.is_some_and(f64::is_nan)) {
@@ -107,6 +109,7 @@ impl Scene {
         let draft = Draft::from(self);
         draft.check_limits(Section::Flight)?;
         draft.check_limits(Section::Log)?;
+        draft.check_limits(Section::Imu)?;
         draft.check_limits(Section::Output)
     }
 
@@ -125,8 +128,10 @@ impl Scene {
             let rule = Rule::SentenceWith(words, self.options.intake.max_gap_s.into());
             conflicts.push(Error::invalid("flight.rate_hz", self.rate_hz, rule));
         }
-        if !matches!(self.log.comment.as_bytes(), [letter] if letter.is_ascii_punctuation()) {
-            conflicts.push(at_odds("log.comment", "must be a single mark, as #"));
+        for (field, comment) in [("log.comment", &self.log.comment), ("imu.comment", &self.imu.comment)] {
+            if !matches!(comment.as_bytes(), [letter] if letter.is_ascii_punctuation()) {
+                conflicts.push(at_odds(field, "must be a single mark, as #"));
+            }
         }
         if self.log.only.is_empty() != self.log.only_column.is_empty() {
             conflicts.push(at_odds(

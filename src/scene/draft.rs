@@ -2,12 +2,14 @@
 
 use nalgebra::Vector3;
 
+use super::key::Section;
 use super::{
     Failing, FlightPath, FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene, Temperature,
     Updated,
 };
 use crate::Options;
 use crate::base::error::Error;
+use crate::log::LogColumn;
 use crate::sensors::{FailureFields, SensorOutput};
 use crate::truth::flight::{FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 
@@ -28,6 +30,8 @@ pub struct Draft {
     pub every_s: f64,
     pub log_rate_hz: f64,
     pub log_missing: f64,
+    pub imu_rate_hz: f64,
+    pub imu_missing: f64,
     pub log_position_sigma_m: f64,
     pub log_attitude_sigma_rad: f64,
     /// The items of lists that are being read or written.
@@ -123,6 +127,8 @@ impl From<&Scene> for Draft {
             every_s: scene.output.every_s.unwrap_or(f64::NAN),
             log_rate_hz: scene.log.rate_hz.unwrap_or(f64::NAN),
             log_missing: scene.log.missing.unwrap_or(f64::NAN),
+            imu_rate_hz: scene.imu.rate_hz.unwrap_or(f64::NAN),
+            imu_missing: scene.imu.missing.unwrap_or(f64::NAN),
             log_position_sigma_m: scene.log.position_sigma_m.unwrap_or(f64::NAN),
             log_attitude_sigma_rad: scene.log.attitude_sigma_rad.unwrap_or(f64::NAN),
             manoeuvre: ManoeuvreFields::default(),
@@ -140,6 +146,18 @@ impl Draft {
     #[inline(never)]
     pub fn of_nothing() -> Box<Self> {
         Box::new(Self::from(&Scene::default()))
+    }
+
+    /// The columns of `[log]` or of `[imu]`.
+    pub fn columns(&self, section: Section) -> &[LogColumn] {
+        let Scene { log, imu, .. } = &self.scene;
+        if section == Section::Imu { &imu.columns } else { &log.columns }
+    }
+
+    /// The same to be changed.
+    pub fn columns_mut(&mut self, section: Section) -> &mut [LogColumn] {
+        let Scene { log, imu, .. } = &mut self.scene;
+        if section == Section::Imu { &mut imu.columns } else { &mut log.columns }
     }
 
     /// The options of the scene.
@@ -169,6 +187,8 @@ impl Draft {
         scene.output.every_s = some(self.every_s);
         scene.log.rate_hz = some(self.log_rate_hz);
         scene.log.missing = some(self.log_missing);
+        scene.imu.rate_hz = some(self.imu_rate_hz);
+        scene.imu.missing = some(self.imu_missing);
         scene.log.position_sigma_m = some(self.log_position_sigma_m);
         scene.log.attitude_sigma_rad = some(self.log_attitude_sigma_rad);
         scene

@@ -40,6 +40,7 @@ macro_rules! sections {
 sections! {
     Flight "flight" "the flight: a log, a built-in flight, or a start and [[manoeuvre]]s"
     Log "log" "how the table of a flight log is read: the column of each quantity that has not its own name; and its repair"
+    Imu "imu" "how a record of an IMU is read, by a program that identifies its sensors: the columns of gyros and accelerometers"
     Manoeuvre "manoeuvre" "a manoeuvre; the list is flown in order; angles are positive to the right and up"
     Sinusoid "manoeuvre.sinusoid" "a sinusoid of the manoeuvre of kind sinusoids above it; up to 6"
     Options "options" "options of the simulator"
@@ -157,7 +158,7 @@ pub enum Target {
     Text { example: &'static str, place: fn(&mut Draft) -> &mut String },
     /// True or false.
     Flag { get: fn(&Draft) -> bool, set: fn(&mut Draft, bool) },
-    /// A column of a flight log, for the quantity of this place.
+    /// A column of `[log]` or `[imu]`, for the quantity of this place.
     Column(usize),
 }
 

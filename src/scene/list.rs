@@ -1,7 +1,7 @@
 //! The list of keys, for those who write a scene.
 
 use super::Scene;
-use super::column::TAKES as COLUMN_TAKES;
+use super::column::{IMU_TAKES as IMU_COLUMN_TAKES, TAKES as COLUMN_TAKES};
 use super::draft::Draft;
 use super::key::{Key, Section, Target, Unit};
 use super::limits::{Limits, limits};
@@ -104,6 +104,9 @@ fn line(key: &Key) -> KeyLine {
         Target::Count { .. } => (KeyKind::Whole, "a whole number".to_owned(), NONE),
         Target::Text { example, .. } => (KeyKind::Text, format!("a text, as \"{example}\""), NONE),
         Target::Flag { .. } => (KeyKind::Flag, "true or false".to_owned(), NONE),
+        Target::Column(_) if key.section == Section::Imu => {
+            (KeyKind::Text, IMU_COLUMN_TAKES.to_owned(), NONE)
+        }
         Target::Column(_) => (KeyKind::Text, COLUMN_TAKES.to_owned(), NONE),
     };
     let spread = match key.target {

@@ -66,6 +66,8 @@ pub struct Scene {
     pub flight: FlightSource,
     /// How the table of its log is read.
     pub log: Box<LogMapping>,
+    /// How a record of an IMU is read, by a program that identifies its sensors; the flight does not need it.
+    pub imu: Box<LogMapping>,
     /// How long to fly [s]; `None`: the whole flight.
     pub duration_s: Option<f64>,
     /// Sample rate of a built-in or composed flight [Hz]; a log has its own time stamps.
@@ -163,6 +165,7 @@ impl Default for Scene {
             title: String::new(),
             flight: FlightSource::Path(FlightPath { start, manoeuvres: vec![rest], repeat: 1 }),
             log: Box::default(),
+            imu: Box::new(LogMapping::of_imu()),
             duration_s: None,
             rate_hz: 100.0,
             temperature: None,

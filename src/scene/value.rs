@@ -194,7 +194,7 @@ pub fn put(draft: &mut Draft, key: &Key, in_si: bool, value: &Value) -> Result<(
             set(draft, *flag);
         }
         Target::Column(quantity) => {
-            draft.scene.log.columns[quantity] = column_of(value, quantity)?;
+            draft.columns_mut(key.section)[quantity] = column_of(value, key, quantity)?;
         }
     }
     Ok(())
@@ -250,7 +250,7 @@ pub fn put_back(draft: &mut Draft, key: &Key) -> bool {
             has_changed
         }
         Target::Column(quantity) => {
-            let column = core::mem::take(&mut draft.scene.log.columns[quantity]);
+            let column = core::mem::take(&mut draft.columns_mut(key.section)[quantity]);
             column != LogColumn::default()
         }
         _ => false,

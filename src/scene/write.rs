@@ -195,7 +195,7 @@ impl Writer {
             Target::Flag { get, .. } => get(&self.draft) == get(&self.default),
             Target::Column(quantity) => {
                 let [own, default] =
-                    [&self.draft, &self.default].map(|draft| &draft.scene.log.columns[quantity]);
+                    [&self.draft, &self.default].map(|draft| &draft.columns(key.section)[quantity]);
                 own == default
             }
         }

@@ -39,7 +39,7 @@ pub fn written(draft: &mut Draft, key: &Key) -> (String, bool) {
         Target::Count { get, .. } => (get(draft).to_string(), false),
         Target::Text { place, .. } => (text_in_quotes(place(draft)), false),
         Target::Flag { get, .. } => (get(draft).to_string(), false),
-        Target::Column(quantity) => (draft.scene.log.columns[quantity].text(), false),
+        Target::Column(quantity) => (draft.columns(key.section)[quantity].text(), false),
     }
 }
 

@@ -382,3 +382,24 @@ fn a_column_of_another_file_is_written_and_not_read() {
         assert!(faults[0].sentence.contains(words), "{faults:?}");
     }
 }
+
+/// An `[imu]` is written and read back to the bit, and it is the mapping of no log.
+#[test]
+fn a_description_of_a_record_is_written_and_read_back() {
+    let keys = "header = 0\nskip = 2\nseparator = \"blanks\"\ncomment = \"%\"\nmissing = -9999.5\ntime_format = \"row\"\nrate_hz = 333.3333333333333\n\
+        gyro_x = { col = 3, unit = \"mdeg/s\", sign = -1 }\ngyro_y = { col = \"a \\\"b\\\" [x]\", unit = \"arcsec\", scale = 0.061035156 }\n\
+        gyro_z = \"z_rad_s\"\naccelerometer_x = { col = \"p\", unit = \"ug\", part = 2, add = -0.001 }\n\
+        accelerometer_y = { col = \"q\", unit = \"m/s\", file = \"b.csv\" }\n";
+    let text = format!("[flight]\nbuiltin = \"rest\"\n[imu]\n{keys}");
+    let scene = Scene::parse(text.as_bytes()).unwrap_or_else(|faults| panic!("{faults:?}"));
+    let again = Scene::parse(scene.write().as_bytes()).unwrap_or_else(|faults| panic!("{faults:?}"));
+    assert_eq!(again.imu, scene.imu);
+    let written = scene.write();
+    for line in
+        ["header = 0", "unit = \"mdeg/s\", sign = -1", "scale = 0.061035156", "part = 2", "file = \"b.csv\""]
+    {
+        assert!(written.contains(line), "{line}: {written}");
+    }
+    let plain = Scene::parse(b"[flight]\nbuiltin = \"rest\"\n").unwrap();
+    assert!(scene.log == plain.log && scene.imu != plain.imu && !plain.write().contains("[imu]"));
+}

@@ -1,9 +1,12 @@
 //! The lines of a file that hold data: neither blank nor comments, each with its number.
 
-use std::io::{BufRead, BufReader, Read, Result};
+use std::io::{BufRead, BufReader, Error, ErrorKind, Read, Result};
 
 /// The bytes with which some editors begin a file in UTF-8.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Longest line [bytes]: a pipe may have no line end at all.
+const MAX_LINE: u64 = 1 << 24;
 
 /// Passes the data on and counts the lines.
 pub struct Lines<R: Read> {
@@ -52,8 +55,12 @@ impl<R: Read> Lines<R> {
         loop {
             self.line.clear();
             self.given = 0;
-            if self.input.read_until(b'\n', &mut self.line)? == 0 {
+            if (&mut self.input).take(MAX_LINE + 1).read_until(b'\n', &mut self.line)? == 0 {
                 return Ok(());
+            }
+            if self.line.len() as u64 > MAX_LINE {
+                let what = format!("line {} has more than {MAX_LINE} bytes", self.count + 1);
+                return Err(Error::new(ErrorKind::InvalidData, what));
             }
             self.count += 1;
             if self.count == 1 && self.line.starts_with(BYTE_ORDER_MARK) {

@@ -40,6 +40,8 @@ pub struct Chosen {
     pub clock: Option<(String, Clock)>,
     /// Rows in which a value is missing are left out, unless they are most: each row has its own time.
     pub may_have_holes: bool,
+    /// Largest number of rows; `None`: any.
+    pub most: Option<usize>,
 }
 
 /// Whether a field has no value.
@@ -69,7 +71,7 @@ impl Table {
         }
         let names: Vec<String> =
             header.iter().map(|name| name.trim_start_matches('\u{feff}').trim().to_owned()).collect();
-        let Chosen { names: chosen, mut clock, may_have_holes } = choose(&names)?;
+        let Chosen { names: chosen, mut clock, may_have_holes, most } = choose(&names)?;
         let is_chosen: Vec<bool> = names.iter().map(|name| chosen.contains(name)).collect();
         let timed = clock.as_ref().and_then(|(column, _)| names.iter().position(|name| name == column));
         let mut columns: Vec<(String, Vec<f64>)> = names.into_iter().map(|name| (name, Vec::new())).collect();
@@ -78,6 +80,9 @@ impl Table {
         let mut row = StringRecord::new();
         while reader.read_record(&mut row).map_err(|error| Failure::of_file(path, &error))? {
             rows += 1;
+            if let Some(most) = most.filter(|most| rows > *most) {
+                return Err(Failure::of_file(path, &format!("more than {most} rows")));
+            }
             let line = || reader.get_ref().numbers().of(rows);
             if row.len() != columns.len() {
                 let what =

@@ -3,6 +3,7 @@
 mod errors;
 mod failure;
 mod flight;
+mod imu;
 mod log;
 mod options;
 mod panel;
@@ -24,6 +25,8 @@ const PARTS: &[&[Key]] = &[
     log::FORMAT,
     log::COLUMNS,
     log::REPAIR,
+    imu::FORMAT,
+    imu::COLUMNS,
     flight::MANOEUVRE,
     flight::SINUSOID,
     options::OPTIONS,

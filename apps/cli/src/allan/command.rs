@@ -1,6 +1,6 @@
 //! The command line of `sins allan`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::failure::Failure;
 use crate::imu::{Wanted, wanted};
@@ -23,10 +23,10 @@ use crate::places::beside;
 /// have no intervals.
 #[derive(Debug, PartialEq, clap::Args)]
 pub struct Order {
-    /// A log that `sins fly --imu` wrote, or one of your own
+    /// A log that `sins fly --imu` wrote, or one of your own ("-": standard input)
     #[arg(value_name = "LOG.csv")]
     pub log: PathBuf,
-    /// Output file: OUT.svg or OUT.html [default: LOG_allan.html in the folder of the log]
+    /// Output file: OUT.svg or OUT.html [default: LOG_allan.html in the folder of the log; of standard input imu_allan.html]
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
     /// Also writes averaging times and deviations into this file, and the coefficients into POINTS_fit.csv
@@ -53,6 +53,9 @@ pub struct Order {
     /// the only one here, all columns of rates and forces are read.
     #[arg(long, value_name = "NAME[=UNIT]", value_delimiter = ',', value_parser = wanted)]
     pub columns: Vec<Wanted>,
+    /// Reads the log by the [imu] of this file, which names the column of each sensor
+    #[arg(long = "imu-map", value_name = "FILE.toml", conflicts_with = "columns")]
+    pub imu_map: Option<PathBuf>,
     /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
@@ -61,7 +64,8 @@ pub struct Order {
 impl Order {
     /// File of the output.
     pub fn output(&self) -> PathBuf {
-        self.output.clone().unwrap_or_else(|| beside(&self.log, "_allan.html"))
+        let log = if self.log == Path::new("-") { Path::new("imu.csv") } else { &self.log };
+        self.output.clone().unwrap_or_else(|| beside(log, "_allan.html"))
     }
 
     /// Whether the output is a page, not a picture.

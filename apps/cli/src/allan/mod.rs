@@ -20,7 +20,7 @@ use std::path::PathBuf;
 use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
-use crate::imu::{Log, Source};
+use crate::imu::{Log, Source, imu_of_file};
 use crate::output::{NO_MARK, Outputs};
 use crate::terminal::{print, quoted};
 use crate::written;
@@ -29,14 +29,22 @@ use analysis::Analysis;
 /// Analyses the log of `order`, writes the files and prints the table.
 pub fn run(order: &Order) -> Result<(), Failure> {
     let is_page = order.is_page()?;
-    let mut outputs = Outputs::new(std::slice::from_ref(&order.log), order.force);
+    let inputs: Vec<PathBuf> =
+        [Some(order.log.clone()), order.imu_map.clone()].into_iter().flatten().collect();
+    let mut outputs = Outputs::new(&inputs, order.force);
     let drawn_file = outputs.file(&order.output(), if is_page { PAGE_MARK } else { PICTURE_MARK })?;
     let points =
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
     let scene = order.scene.as_ref().map(|path| outputs.file(path, NO_MARK)).transpose()?;
-    let source =
-        Source { path: &order.log, columns: &order.columns, flag: "--columns", rate_hz: order.rate_hz };
+    let mapping = order.imu_map.as_deref().map(imu_of_file).transpose()?;
+    let source = Source {
+        path: &order.log,
+        columns: &order.columns,
+        flag: "--columns",
+        rate_hz: order.rate_hz,
+        mapping: mapping.as_ref(),
+    };
     let log = Log { is_still: order.still, ..Log::read(&source)? };
     let analyses = Analysis::of_log(&log)?;
     let drawn = match is_page {

@@ -7,7 +7,7 @@ use super::analysis::{Analysis, CERTAINTY, Coefficient};
 use super::{sheet, table};
 use crate::failure::Failure;
 use crate::imu::Log;
-use crate::imu::Sensor;
+use crate::imu::{Sensor, imu_text};
 use crate::units::significant;
 
 /// The begin of such a scene.
@@ -61,11 +61,15 @@ pub fn text(log: &Log, analyses: &[Analysis]) -> Result<String, Failure> {
     let rate = rate_hz.map(|hz| format!("rate_hz = {}\n", digits(hz, 6))).unwrap_or_default();
     let hours = (log.duration_s() / 3600.0).min(MOST_HOURS);
     let text = format!(
-        "{MARK} in {}, with intervals of 95 %. A term that it shows with less than {} % is a comment.\n\n[flight]\ntitle = \"At rest, with the noise of {}\"\nbuiltin = \"rest\"\nhours = {}\n{rate}{sections}\n[options]\nsubsamples = 1 # a row of --imu for each sample\n",
+        "{MARK} in {}, with intervals of 95 %. A term that it shows with less than {} % is a comment.\n\n[flight]\ntitle = \"At rest, with the noise of {}\"\nbuiltin = \"rest\"\nhours = {}\n{rate}{sections}\n[options]\nsubsamples = 1 # a row of --imu for each sample\n{}",
         printable(&table::source(log)),
         100.0 * CERTAINTY,
         printable(&log.name),
         digits(hours, 6),
+        log.taken.as_deref().map_or(String::new(), |taken| format!(
+            "\n# How the log was read; --imu-map with this file reads another one in the same way.\n{}",
+            imu_text(taken)
+        )),
     );
     match Scene::parse(text.as_bytes()) {
         Ok(_) => Ok(text),

@@ -57,10 +57,16 @@ pub fn read_text(path: &Path) -> Result<Vec<u8>, Failure> {
     })
 }
 
-/// Opens a table, unless its beginning shows that it is a file of another kind. The table, and its size, 0 for a pipe [bytes].
+/// Opens a table, unless its beginning shows that it is a file of another kind; "-" means standard input. The table, and its size, 0 for
+/// a pipe [bytes].
 pub fn open_table(path: &Path) -> Result<(impl Read + use<>, u64), Failure> {
-    let mut file = open(path)?;
-    let size = file.metadata().map_or(0, |metadata| metadata.len());
+    let (mut file, size): (Box<dyn Read>, u64) = if path == Path::new("-") {
+        (Box::new(std::io::stdin().lock()), 0)
+    } else {
+        let file = open(path)?;
+        let size = file.metadata().map_or(0, |metadata| metadata.len());
+        (Box::new(file), size)
+    };
     let mut begin = Vec::new();
     let read = (&mut file).take(BEGIN).read_to_end(&mut begin);
     read.map_err(|error| Failure::of_input(path, &error))?;

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use sins::log::LogMapping;
+use sins::scene::Scene;
 
-use super::read_scene;
+use super::{read_scene, read_text};
 use crate::failure::Failure;
 
 /// Settings in addition to the text of a scene.
@@ -25,6 +26,9 @@ pub struct Settings {
     pub hours: Option<String>,
 }
 
+/// The begin of a line with which a text sets a flight.
+const FLIGHTS: [&[u8]; 2] = [b"[flight]", b"[[manoeuvre]]"];
+
 /// The keys that `--preset` sets.
 const PRESETS: [&str; 3] = ["gyro.preset", "accelerometer.preset", "start.preset"];
 
@@ -44,13 +48,21 @@ impl Settings {
 
     /// The mapping of the file that the command line names, with what it sets of `log` in addition.
     pub fn mapping(&self) -> Result<Option<Box<LogMapping>>, Failure> {
+        Ok(self.mappings()?.map(|scene| scene.log))
+    }
+
+    /// `[log]` and `[imu]` of that file.
+    pub fn mappings(&self) -> Result<Option<Scene>, Failure> {
         let Some(path) = &self.columns else { return Ok(None) };
         // The file need not have a flight.
-        let flight = "flight.file=log.csv".to_owned();
-        let of_log = self.set.iter().filter(|text| text.trim_start().starts_with("log.")).cloned();
-        let set = [flight].into_iter().chain(of_log).collect();
-        let scene = read_scene(path.as_os_str(), &Self { set, ..Self::default() })?;
-        Ok(Some(scene.log))
+        let text = read_text(path)?;
+        let is_of_flight = |line: &[u8]| FLIGHTS.iter().any(|head| line.trim_ascii_start().starts_with(head));
+        let has_flight = text.split(|byte| *byte == b'\n').any(is_of_flight);
+        let flight = (!has_flight).then(|| "flight.file=log.csv".to_owned());
+        let is_of_table = |text: &str| ["log.", "imu."].iter().any(|section| text.starts_with(section));
+        let of_tables = self.set.iter().filter(|text| is_of_table(text.trim_start())).cloned();
+        let set = flight.into_iter().chain(of_tables).collect();
+        read_scene(path.as_os_str(), &Self { set, ..Self::default() }).map(Some)
     }
 
     /// The argument of setting `number`, counted from 1.

@@ -3,6 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use sins::log::LogMapping;
 use sins::scene::{BUILTIN_SCENES, Fault, Scene, nearest};
 
 use super::file::read_text;
@@ -57,8 +58,11 @@ impl Text {
         let pairs = settings.pairs()?;
         let parsed = Scene::parse_with(&self.bytes, &pairs);
         let mut scene = parsed.map_err(|faults| self.failure(&faults, settings))?;
-        if let Some(mapping) = settings.mapping()? {
-            scene.log = mapping;
+        if let Some(of_tables) = settings.mappings()? {
+            scene.log = of_tables.log;
+            if *of_tables.imu != LogMapping::of_imu() {
+                scene.imu = of_tables.imu;
+            }
         }
         Ok(scene)
     }

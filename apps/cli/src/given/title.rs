@@ -5,7 +5,7 @@ use sins::scene::{FlightSource, Samples, Scene, Source, builtin};
 use crate::units::time_text;
 
 /// Sections of which no title speaks, and that of the flight, which is compared as a whole.
-const UNSPOKEN: [&str; 4] = ["options", "output", "log", "flight"];
+const UNSPOKEN: [&str; 5] = ["options", "output", "log", "imu", "flight"];
 
 /// Title of `scene`, of which `samples` are flown: its own, if the scene of its text, `titled`, is flown (`None`: it is the scene itself);
 /// otherwise one that is made from the flight.

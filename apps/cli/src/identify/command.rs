@@ -1,7 +1,7 @@
 //! The command line of `sins identify`.
 
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use nalgebra::Matrix3;
 use sins::analysis::identify::check::CheckRequest;
@@ -25,20 +25,21 @@ pub const FOR_LOGS: &str = "[flight]\nfile = \"log\"\n";
 ///
 /// The record has three columns of rates or angle increments and three of forces or velocity increments, each three in the order x, y, z,
 /// and time stamps. The unit of a column is in brackets, "AngleRateX (rad/s)", at the end of its name, gyro_x_deg_s, or that of a known
-/// recorder; docs/identify.md names them. A record of another motion or in other units, or whose clock jumps, is rejected.
+/// recorder; docs/identify.md names them. Columns of other names are described by an [imu] (--imu-map). The scene has the [imu] by which
+/// the record was read. A record of another motion or in other units, or whose clock jumps, is rejected.
 #[derive(Debug, clap::Args)]
 pub struct Order {
     /// The true path: a flight log LOG.csv, a scene, or a built-in scene
     #[arg(value_name = "TRUTH")]
     pub truth: OsString,
-    /// The record of the IMU; it may be the table of the path
+    /// The record of the IMU; it may be the table of the path ("-": standard input)
     #[arg(long, value_name = "RECORD.csv")]
     pub imu: PathBuf,
     #[command(flatten)]
     pub settings: Settings,
     #[command(flatten)]
     pub trust: Trust,
-    /// The scene [default: RECORD_sensor.toml in the folder of the record]
+    /// The scene [default: RECORD_sensor.toml in the folder of the record; of standard input imu_sensor.toml]
     #[arg(short, long, value_name = "SENSOR.toml")]
     pub output: Option<PathBuf>,
     /// What is known of the sensors: strategic, navigation, tactical, industrial or consumer
@@ -49,6 +50,9 @@ pub struct Order {
     /// Columns of the record, separated by commas, if its names do not say them: "wx=deg/s"
     #[arg(long = "imu-columns", value_name = "NAME[=UNIT]", value_delimiter = ',', value_parser = wanted)]
     pub imu_columns: Vec<Wanted>,
+    /// Reads the record by the [imu] of this file, which names the column of each sensor [default: the [imu] of TRUTH, if it has one]
+    #[arg(long = "imu-map", value_name = "FILE.toml", conflicts_with = "imu_columns")]
+    pub imu_map: Option<PathBuf>,
     /// Samples per second of a record without time stamps
     #[arg(long, value_name = "HZ")]
     pub rate: Option<f64>,
@@ -86,7 +90,8 @@ pub struct Order {
 impl Order {
     /// File of the scene.
     pub fn output(&self) -> PathBuf {
-        self.output.clone().unwrap_or_else(|| beside(&self.imu, "_sensor.toml"))
+        let record = if self.imu == Path::new("-") { Path::new("imu.csv") } else { &self.imu };
+        self.output.clone().unwrap_or_else(|| beside(record, "_sensor.toml"))
     }
 
     /// What a check is made with, if one is wanted.
@@ -94,6 +99,21 @@ impl Order {
         let truth = truth_sigma(&self.truth_sigma)?;
         let request = CheckRequest { twins: self.twins as usize, truth, ..CheckRequest::default() };
         Ok(self.check.then_some(request))
+    }
+
+    /// Checks that not both inputs are standard input.
+    pub fn check_inputs(&self) -> Result<(), Failure> {
+        if self.truth == "-" && self.imu == Path::new("-") {
+            return Err(Failure::new(
+                "TRUTH and --imu are both \"-\": standard input is one file; expected the name of the other",
+            ));
+        }
+        Ok(())
+    }
+
+    /// The name of the record in a sentence.
+    pub fn record(&self) -> &Path {
+        if self.imu == Path::new("-") { Path::new("standard input") } else { &self.imu }
     }
 
     /// What is known before the record.
@@ -158,19 +178,25 @@ mod tests {
             parsed::<Order>(&["a", "--imu", "d/b.csv"]).unwrap().output(),
             PathBuf::from("d/b_sensor.toml")
         );
+        let of_input = parsed::<Order>(&["a", "--imu", "-"]).unwrap();
+        assert_eq!(of_input.output(), PathBuf::from("imu_sensor.toml"));
+        assert!(of_input.check_inputs().is_ok());
+        let both = parsed::<Order>(&["-", "--imu", "-"]).unwrap().check_inputs().unwrap_err().to_string();
+        assert!(both.contains("both \"-\""), "{both}");
     }
 
     #[test]
     fn what_is_wrong_is_named() {
         for (more, named) in [
-            (["--axes", "x y -z"], "--axes x y -z: expected x, y and z once"),
-            (["--axes", "x x z"], "no reflection"),
-            (["--axes", "x y"], "--axes x y"),
-            (["--prior", "best"], "--prior best: expected strategic"),
-            (["--rate", "0"], "--rate 0: expected"),
-            (["--shift", "inf"], "--shift inf"),
+            (&["--axes", "x y -z"][..], "--axes x y -z: expected x, y and z once"),
+            (&["--axes", "x x z"], "no reflection"),
+            (&["--axes", "x y"], "--axes x y"),
+            (&["--prior", "best"], "--prior best: expected strategic"),
+            (&["--rate", "0"], "--rate 0: expected"),
+            (&["--shift", "inf"], "--shift inf"),
+            (&["--imu-map", "a.toml", "--imu-columns", "wx=deg/s"], "--imu-columns"),
         ] {
-            assert!(request(&more).unwrap_err().contains(named), "{more:?}");
+            assert!(request(more).unwrap_err().contains(named), "{more:?}");
         }
     }
 }

@@ -31,15 +31,17 @@ use record::Record;
 
 /// Identifies the sensors of the record of `order`, writes the scene and prints the table.
 pub fn run(order: &Order) -> Result<(), Failure> {
+    order.check_inputs()?;
     let request = order.request()?;
     let of_check = order.check_request()?;
     let given = Given::load(Some(&order.truth), None, &order.settings, &order.trust, command::FOR_LOGS)?;
     given.say_left_out();
     let mut inputs = given.inputs.clone();
     inputs.push(order.imu.clone());
+    inputs.extend(order.imu_map.clone());
     let output = order.output();
     let file = Outputs::new(&inputs, order.force).file(&output, MARK)?;
-    let record = Record::read(order)?;
+    let record = Record::read(order, &given.scene)?;
     let (found, checked) = match &of_check {
         Some(of_check) => {
             let (found, checked) = identify_and_check(order, &given, &record, &request, of_check)?;
@@ -48,10 +50,13 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         None => {
             let path = flown(&given, |samples| IdealPath::fly(&given.scene.simulator_options(), samples))?;
             let found = identify(&path, &record.increments, &request);
-            (found.map_err(|error| Failure::of_file(&order.imu, &sentence(&error, &record, order)))?, None)
+            (
+                found.map_err(|error| Failure::of_file(order.record(), &sentence(&error, &record, order)))?,
+                None,
+            )
         }
     };
-    let text = scene::text(order, &given, &found)?;
+    let text = scene::text(order, &given, &record, &found)?;
     file.finish(text)?;
     if order.json {
         return print(&json::text(&record, &found, checked.as_ref()));
@@ -91,14 +96,14 @@ fn identify_and_check(
     of_check: &CheckRequest,
 ) -> Result<(Identified, Check), Failure> {
     let truth = flown(given, |samples| Truth::fly(&given.scene.simulator_options(), samples))?;
-    let unfit = |error: Error| Failure::of_file(&order.imu, &sentence(&error, record, order));
+    let unfit = |error: Error| Failure::of_file(order.record(), &sentence(&error, record, order));
     let whole = identify(truth.path(), &record.increments, request).map_err(unfit)?;
     let (first, second) = halves(&truth, &whole, &record.increments).map_err(unfit)?;
     let found = identify(truth.path(), first, request).map_err(unfit)?;
     let _flying = Progress::working(format!("flying {} twins", of_check.twins));
     match fly_twins(&truth, &found, second, of_check) {
         Ok(checked) => Ok((found, checked)),
-        Err(error) => Err(Failure::of_file(&order.imu, &format!("the half that is checked: {error}"))),
+        Err(error) => Err(Failure::of_file(order.record(), &format!("the half that is checked: {error}"))),
     }
 }
 

@@ -2,11 +2,13 @@
 
 use nalgebra::Vector3;
 use sins::analysis::identify::RecordedIncrement;
+use sins::log::LogMapping;
+use sins::scene::Scene;
 use sins::signal::Increment;
 
 use super::command::Order;
 use crate::failure::Failure;
-use crate::imu::{Log, Sensor, Source};
+use crate::imu::{Log, Sensor, Source, imu_of_file, imu_of_scene, reversed};
 
 /// A record.
 pub struct Record {
@@ -18,15 +20,21 @@ pub struct Record {
     pub increments: Vec<RecordedIncrement>,
     /// Sentences about its stamps.
     pub remarks: Vec<String>,
+    /// The `[imu]` by which it was read.
+    pub mapping: Option<LogMapping>,
 }
 
 impl Record {
-    pub fn read(order: &Order) -> Result<Self, Failure> {
+    /// Reads the record by the `[imu]` of the command line, or else that of `truth`.
+    pub fn read(order: &Order, truth: &Scene) -> Result<Self, Failure> {
+        let of_file = order.imu_map.as_deref().map(imu_of_file).transpose()?;
+        let of_truth = imu_of_scene(truth).filter(|_| order.imu_columns.is_empty());
         let source = Source {
             path: &order.imu,
             columns: &order.imu_columns,
             flag: "--imu-columns",
             rate_hz: order.rate,
+            mapping: of_file.as_ref().or(of_truth),
         };
         let log = Log::read(&source)?;
         let of = |sensor: Sensor| log.series.iter().filter(move |series| series.sensor == sensor);
@@ -36,10 +44,11 @@ impl Record {
             (of(Sensor::Gyro).collect(), of(Sensor::Accelerometer).collect());
         let ([gx, gy, gz], [ax, ay, az]) = (&gyros[..], &accels[..]) else {
             let what = format!(
-                "expected three columns of gyros and three of accelerometers, found {} and {} ({}); choose them with --imu-columns",
+                "expected three columns of gyros and three of accelerometers, found {} and {} ({}); choose them with {}",
                 gyros.len(),
                 accels.len(),
-                columns.join(", ")
+                columns.join(", "),
+                if source.mapping.is_some() { "[imu]" } else { "--imu-columns or [imu]" }
             );
             return Err(Failure::of_line(&order.imu, 1, &what));
         };
@@ -55,6 +64,8 @@ impl Record {
         let mut increments: Vec<RecordedIncrement> = (0..log.count()).map(row).collect();
         // A row of the same stamp has nothing to say of when it was.
         increments.dedup_by(|next, before| next.time_s <= before.time_s);
-        Ok(Self { name: log.name, interval_s: log.interval_s, columns, increments, remarks: log.remarks })
+        let mapping = log.taken.map(|taken| if order.reversed { reversed(*taken) } else { *taken });
+        let Log { name, interval_s, remarks, .. } = log;
+        Ok(Self { name, interval_s, columns, increments, remarks, mapping })
     }
 }

@@ -8,15 +8,23 @@ use sins::log::LogMapping;
 use sins::scene::{FlightSource, Scene};
 
 use super::command::Order;
+use super::record::Record;
 use crate::failure::{Failure, printable};
 use crate::given::Given;
+use crate::imu::imu_text;
 
 /// The text of the scene. What was not seen is a comment.
-pub fn text(order: &Order, given: &Given, found: &Identified) -> Result<String, Failure> {
+pub fn text(order: &Order, given: &Given, record: &Record, found: &Identified) -> Result<String, Failure> {
+    let mapping = record.mapping.as_ref().map_or(String::new(), |mapping| {
+        format!(
+            "\n# How the record was read; --imu-map with this file reads another one in the same way.\n{}",
+            imu_text(mapping)
+        )
+    });
     let text = format!(
-        "{MARK} in {}{}, {FIGURES}\n\n{}{}",
+        "{MARK} in {}{}, {FIGURES}\n\n{}{}{mapping}",
         if order.check { "the first half of the common rows of " } else { "" },
-        printable(&order.imu.display().to_string()),
+        printable(&order.record().display().to_string()),
         flight(order, given),
         sections(found, given.scene.options.axes)
     );

@@ -5,11 +5,20 @@ use std::io::{Cursor, Read, Result};
 /// Bytes in which the header and the first row are looked for.
 const BEGIN: u64 = 1 << 16;
 
-/// The table with commas, whose header is a line of its own.
+/// A table with commas, whose header is a line of its own.
+pub struct Plain<R> {
+    pub input: R,
+    /// What separated its fields.
+    pub separator: u8,
+    /// Whether its header stood behind a "#".
+    pub is_marked: bool,
+}
+
+/// The table in a plain form.
 ///
 /// A first line "#timestamp [ns],w_RS_S_x [rad s^-1]" is a header, and no comment, if it has as many fields as the row below it, and that
 /// row is one of numbers. Tabs and semicolons become commas if the header has no comma.
-pub fn plain(mut input: impl Read) -> Result<impl Read> {
+pub fn plain(mut input: impl Read) -> Result<Plain<impl Read>> {
     let mut begin = Vec::new();
     (&mut input).take(BEGIN).read_to_end(&mut begin)?;
     if begin.starts_with(b"\xef\xbb\xbf") {
@@ -38,7 +47,8 @@ pub fn plain(mut input: impl Read) -> Result<impl Read> {
             begin[start + mark] = b' ';
         }
     }
-    Ok(Separated { input: Cursor::new(begin).chain(input), separator })
+    let input = Separated { input: Cursor::new(begin).chain(input), separator };
+    Ok(Plain { input, separator, is_marked: before.is_some() })
 }
 
 fn separator(line: &[u8]) -> u8 {
@@ -67,7 +77,7 @@ mod tests {
 
     fn read(text: &str) -> String {
         let mut out = String::new();
-        plain(text.as_bytes()).unwrap().read_to_string(&mut out).unwrap();
+        plain(text.as_bytes()).unwrap().input.read_to_string(&mut out).unwrap();
         out
     }
 

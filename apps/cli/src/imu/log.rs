@@ -5,16 +5,15 @@ use std::io::{BufRead, BufReader, Read};
 use std::ops::Range;
 use std::path::Path;
 
-use sins::log::{Clock, LogMapping};
+use sins::log::LogMapping;
 use sins_allan::FEWEST_SAMPLES;
 
-use super::begin::plain;
-use super::quantity::{self, Quantity, Sensor, Stamp, Wanted, choose};
+use super::quantity::Sensor;
+use super::rows::{Read as Column, Rows, Source};
 use super::stamps::{self, Stamps};
 use crate::failure::Failure;
 use crate::given::open_table;
 use crate::progress::Progress;
-use crate::table::{Chosen, Table};
 use crate::units::{significant, time_text};
 
 /// Longest step of stamps, in lengths of the rest of the record.
@@ -22,17 +21,6 @@ const JUMP: f64 = 1e6;
 
 /// Scatter of the stamps, as a part of the interval, that is worth a remark.
 const SCATTER: f64 = 0.5;
-
-/// A record, and how it is read.
-#[derive(Debug, Clone, Copy)]
-pub struct Source<'a> {
-    pub path: &'a Path,
-    /// Columns of the command line, and the argument that names them.
-    pub columns: &'a [Wanted],
-    pub flag: &'static str,
-    /// Samples a second of the command line.
-    pub rate_hz: Option<f64>,
-}
 
 /// A column.
 pub struct Series {
@@ -58,6 +46,8 @@ pub struct Log {
     pub is_still: bool,
     /// End of the interval of each row [s], by its own stamp unless stamps scatter.
     pub times_s: Vec<f64>,
+    /// The `[imu]` that reads such a record in the same way; `None`: it has more than three columns of a sensor.
+    pub taken: Option<Box<LogMapping>>,
 }
 
 impl Log {
@@ -75,49 +65,40 @@ impl Log {
 
     fn from_input(source: &Source<'_>, input: impl Read) -> Result<Self, Failure> {
         let path = source.path;
-        let input = plain(input).map_err(|error| Failure::of_input(path, &error))?;
-        let mut columns: Vec<(String, Quantity)> = Vec::new();
-        let mut time = None;
-        let mut table = Table::read_some(path, input, |names| {
-            columns = choose(names, source.columns, source.flag)
-                .map_err(|failure| Failure::of_line(path, 1, &failure))?;
-            time = quantity::stamps(names, source.columns);
-            let names =
-                columns.iter().map(|(name, _)| name.clone()).chain(time.iter().map(|(name, _)| name.clone()));
-            let clock = time.iter().find_map(|(name, stamp)| match stamp {
-                Stamp::Clock(format) => {
-                    let mapping = LogMapping { time_format: *format, ..LogMapping::default() };
-                    Some((name.clone(), Clock::new(&mapping)))
-                }
-                Stamp::Number(_) => None,
-            });
-            // Where rows are counted, a row that is left out would move those behind it.
-            let may_have_holes = source.rate_hz.is_none() && time.is_some();
-            Ok(Chosen { names: names.collect(), clock, may_have_holes })
-        })?;
-        if table.rows() < FEWEST_SAMPLES {
-            let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", table.rows());
+        let mut rows = Rows::read(source, input)?;
+        if rows.count < FEWEST_SAMPLES {
+            let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", rows.count);
             return Err(Failure::of_file(path, &what));
         }
-        let (stamps, all_s) = stamps(source, &mut table, time.as_ref())?;
+        let is_counted = source.rate_hz.is_some() && rows.time.is_some();
+        let time = rows.time.take();
+        let (stamps, all_s) = stamps(source, &rows, time)?;
         let times_s = times(&stamps, all_s);
         let interval_s = stamps.interval_s;
-        let series = columns.into_iter().map(|(name, quantity)| {
-            let unit = quantity.si * if quantity.is_increment { 1.0 } else { interval_s };
-            let mut increments = table.take(&name)?;
+        let series = rows.columns.into_iter().map(|column| {
+            let Column { name, quantity, scale, add, numbers: mut increments } = column;
+            let over_s = if quantity.is_increment { 1.0 } else { interval_s };
+            let unit = scale * (quantity.si * over_s);
             keep(&mut increments, &stamps.pieces);
             increments.iter_mut().for_each(|value| *value *= unit);
-            Ok(Series { name, sensor: quantity.sensor, increments })
+            // Without an addition a value keeps its bits, also -0.
+            if add != 0.0 {
+                increments.iter_mut().for_each(|value| *value += add * over_s);
+            }
+            Series { name, sensor: quantity.sensor, increments }
         });
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let series = series.collect::<Result<_, Failure>>()?;
-        let is_counted = source.rate_hz.is_some() && time.is_some();
+        let name = match path.file_name() {
+            Some(name) if path != Path::new("-") => name.to_string_lossy().into_owned(),
+            _ => "standard input".to_owned(),
+        };
+        let series = series.collect();
         let (pieces, mut remarks) = (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps));
-        if let Some((count, line)) = table.left_out() {
+        if let Some((count, line)) = rows.left_out {
             let rows = if count == 1 { "row without a value is" } else { "rows without a value are" };
             remarks.push(format!("{count} {rows} left out, the first in line {line}"));
         }
-        Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: false, times_s })
+        let taken = rows.taken;
+        Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: false, times_s, taken })
     }
 
     pub fn count(&self) -> usize {
@@ -195,43 +176,36 @@ fn keep(values: &mut Vec<f64>, pieces: &[Range<usize>]) {
     values.truncate(to);
 }
 
-/// The equal intervals of --rate, which counts rows, or those of the stamps; rejects stamps that go back.
+/// The equal intervals of rows that are counted, or those of the stamps; rejects stamps that go back.
 fn stamps(
     source: &Source<'_>,
-    table: &mut Table,
-    time: Option<&(String, Stamp)>,
+    rows: &Rows,
+    time: Option<(String, Vec<f64>)>,
 ) -> Result<(Stamps, Vec<f64>), Failure> {
-    let Source { path, flag, rate_hz, .. } = *source;
-    if let Some(rate_hz) = rate_hz {
-        let counted = Stamps::counted(table.rows(), 1.0 / rate_hz);
-        return Ok((counted, (0..table.rows()).map(|row| row as f64 / rate_hz).collect()));
-    }
-    let Some((name, stamp)) = time else {
-        let header = table.header();
-        let what = format!(
-            "expected a column \"time_s\" in the header, --rate, or {flag} \"NAME=s\"; the header has {header}"
-        );
-        return Err(Failure::of_line(path, 1, &what));
+    let path = source.path;
+    let (name, times_s) = match (time, rows.rate_hz) {
+        (Some(time), None) => time,
+        (_, rate_hz) => {
+            let rate_hz = rate_hz.unwrap_or(1.0);
+            let times_s = (0..rows.count).map(|row| row as f64 / rate_hz).collect();
+            return Ok((Stamps::counted(rows.count, 1.0 / rate_hz), times_s));
+        }
     };
     // Rows that are counted may have no hole.
-    let has_holes = table.left_out().is_some();
+    let has_holes = rows.left_out.is_some();
     let counts = if has_holes { "" } else { " (--rate: counts rows)" };
-    let mut times_s = table.take(name)?;
-    if let Stamp::Number(unit) = stamp {
-        times_s.iter_mut().for_each(|time| *time *= unit);
-    }
     if let Some(row) = times_s.windows(2).position(|pair| pair[1] < pair[0]) {
         let what = format!(
             "column {name}: expected a stamp of {:.6} s or later, found {:.6} s{counts}",
             times_s[row],
             times_s[row + 1]
         );
-        return Err(Failure::of_line(path, table.line(row + 1), &what));
+        return Err(Failure::of_line(path, (rows.line)(row + 1), &what));
     }
     if times_s[0] == times_s[times_s.len() - 1] {
         return Err(Failure::of_file(path, &format!("column {name}: all stamps are the same{counts}")));
     }
-    check_jump(path, table, name, &times_s, counts)?;
+    check_jump(path, rows, &name, &times_s, counts)?;
     let found = stamps::read(&times_s);
     let longest = found.pieces.iter().map(Range::len).max().unwrap_or(0);
     if longest < FEWEST_SAMPLES {
@@ -248,7 +222,7 @@ fn stamps(
 }
 
 /// Rejects a step that is longer than the rest of the record a million times: the interval of such stamps is unknown.
-fn check_jump(path: &Path, table: &Table, name: &str, times_s: &[f64], counts: &str) -> Result<(), Failure> {
+fn check_jump(path: &Path, rows: &Rows, name: &str, times_s: &[f64], counts: &str) -> Result<(), Failure> {
     let span_s = times_s[times_s.len() - 1] - times_s[0];
     let steps = times_s.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
     let Some((row, longest_s)) = steps.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(()) };
@@ -261,7 +235,7 @@ fn check_jump(path: &Path, table: &Table, name: &str, times_s: &[f64], counts: &
         times_s[row],
         time_text(span_s - longest_s)
     );
-    Err(Failure::of_line(path, table.line(row + 1), &what))
+    Err(Failure::of_line(path, (rows.line)(row + 1), &what))
 }
 
 #[cfg(test)]
@@ -269,7 +243,7 @@ mod tests {
     use super::*;
 
     fn source(rate_hz: Option<f64>) -> Source<'static> {
-        Source { path: Path::new("log.csv"), columns: &[], flag: "--columns", rate_hz }
+        Source { path: Path::new("log.csv"), columns: &[], flag: "--columns", rate_hz, mapping: None }
     }
 
     /// Reads a log with the rows `time(k)`, k.

@@ -1,8 +1,6 @@
 //! Quantity of a column, from its name: known names, units in brackets, and units at the end.
 
-use sins::units::{ARCSEC, DEG, DEG_PER_HOUR, MICRO_G, STANDARD_GRAVITY};
-
-use sins::log::TimeFormat;
+use sins::log::{ImuColumn, TimeFormat, imu_units};
 use sins::scene::listed;
 
 use crate::failure::Failure;
@@ -17,7 +15,8 @@ pub enum Sensor {
 /// A sensor's output in a unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
-    unit: &'static str,
+    /// Its name in `[imu]`, as "deg/s".
+    pub unit: &'static str,
     pub sensor: Sensor,
     /// Angle or velocity over an interval, not their rate.
     pub is_increment: bool,
@@ -25,12 +24,14 @@ pub struct Quantity {
     pub si: f64,
 }
 
-const fn rate(unit: &'static str, sensor: Sensor, si: f64) -> Quantity {
-    Quantity { unit, sensor, is_increment: false, si }
-}
-
-const fn increment(unit: &'static str, sensor: Sensor, si: f64) -> Quantity {
-    Quantity { unit, sensor, is_increment: true, si }
+/// The quantities, one for each unit of `[imu]`.
+fn quantities() -> impl Iterator<Item = Quantity> {
+    imu_units().map(|unit| Quantity {
+        unit: unit.name,
+        sensor: if unit.is_gyro { Sensor::Gyro } else { Sensor::Accelerometer },
+        is_increment: unit.is_increment,
+        si: unit.si,
+    })
 }
 
 /// A column to read.
@@ -56,22 +57,6 @@ fn plain_unit(text: &str) -> String {
     let text = text.replace(" s^-", "/s").replace(" s-", "/s").replace("*s^-", "/s").replace("/s1", "/s");
     text.replace('/', "_").replace('²', "2").replace(['^', ' '], "")
 }
-
-const QUANTITIES: [Quantity; 13] = [
-    rate("rad_s", Sensor::Gyro, 1.0),
-    rate("deg_s", Sensor::Gyro, DEG),
-    rate("mdeg_s", Sensor::Gyro, 1e-3 * DEG),
-    rate("deg_h", Sensor::Gyro, DEG_PER_HOUR),
-    rate("m_s2", Sensor::Accelerometer, 1.0),
-    rate("g", Sensor::Accelerometer, STANDARD_GRAVITY),
-    rate("mg", Sensor::Accelerometer, 1e-3 * STANDARD_GRAVITY),
-    rate("ug", Sensor::Accelerometer, MICRO_G),
-    increment("rad", Sensor::Gyro, 1.0),
-    increment("deg", Sensor::Gyro, DEG),
-    increment("arcsec", Sensor::Gyro, ARCSEC),
-    increment("m_s", Sensor::Accelerometer, 1.0),
-    increment("mm_s", Sensor::Accelerometer, 1e-3),
-];
 
 /// A recorder whose columns have no unit in their names.
 struct Recorder {
@@ -111,8 +96,9 @@ impl Recorder {
     }
 }
 
+/// The quantity of a unit in the form of the ends of names.
 fn of_unit(unit: &str) -> Option<Quantity> {
-    QUANTITIES.into_iter().find(|quantity| quantity.unit == unit)
+    quantities().find(|quantity| plain_unit(quantity.unit) == unit)
 }
 
 /// Words that mark the name of a column of increments. Other columns, such as latitude_rad, have none of them.
@@ -184,9 +170,9 @@ fn stamp(wanted: &Wanted) -> Option<Stamp> {
 fn by_name(name: &str, recorder: Option<&Recorder>) -> Option<Quantity> {
     let in_brackets = in_brackets(name).and_then(|(_, unit)| of_unit(&unit));
     let at_end = || {
-        QUANTITIES
-            .into_iter()
-            .filter(|quantity| name.strip_suffix(quantity.unit).is_some_and(|stem| stem.ends_with('_')))
+        let is_at_end = |unit: &str| name.strip_suffix(unit).is_some_and(|stem| stem.ends_with('_'));
+        quantities()
+            .filter(|quantity| is_at_end(&plain_unit(quantity.unit)))
             .max_by_key(|quantity| quantity.unit.len())
     };
     in_brackets.or_else(at_end).or_else(|| recorder?.quantity(name))
@@ -254,17 +240,47 @@ fn find(wanted: &Wanted, recorder: Option<&Recorder>) -> Result<(String, Quantit
         Some(unit) => of_unit(unit),
         None => by_name(name, recorder),
     };
-    let units =
-        || listed(QUANTITIES.iter().map(|quantity| quantity.unit).chain(STAMPS.iter().map(|stamp| stamp.0)));
     let quantity = quantity.ok_or_else(|| {
-        Failure::new(format!("column \"{name}\": expected its unit as NAME=UNIT, one of {}", units()))
+        let times = STAMPS.iter().map(|stamp| stamp.0.to_owned());
+        let units: Vec<String> =
+            quantities().map(|quantity| plain_unit(quantity.unit)).chain(times).collect();
+        let units = listed(units.iter().map(String::as_str));
+        Failure::new(format!("column \"{name}\": expected its unit as NAME=UNIT, one of {units}"))
     })?;
     Ok((name.clone(), quantity))
+}
+
+/// The quantity of a column of `[imu]`: by the unit that stands there, otherwise by its name.
+pub fn mapped(column: &ImuColumn) -> Result<Quantity, Failure> {
+    let ImuColumn { key, name, unit, is_gyro, .. } = column;
+    let sensor = if *is_gyro { Sensor::Gyro } else { Sensor::Accelerometer };
+    let of_sensor = || quantities().filter(|quantity| quantity.sensor == sensor);
+    let found = match *unit {
+        "" => by_name(name, None),
+        unit => of_sensor().find(|quantity| quantity.unit == unit),
+    };
+    let units = listed(of_sensor().map(|quantity| quantity.unit));
+    match found {
+        Some(quantity) if quantity.sensor == sensor => Ok(quantity),
+        Some(quantity) => Err(Failure::new(format!(
+            "{key}.unit: the name of the column {name} says {}: expected one of {units}",
+            quantity.unit
+        ))),
+        None => Err(Failure::new(format!(
+            "{key}.unit: the name of the column {name} says no unit: expected one of {units}"
+        ))),
+    }
+}
+
+/// The name of the unit of time stamps, if they are numbers in one.
+pub fn unit_of_time(si: f64) -> Option<&'static str> {
+    OF_NAMES.iter().find(|(_, stamp)| *stamp == Stamp::Number(si)).map(|(unit, _)| *unit)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sins::units::DEG_PER_HOUR;
 
     fn names(header: &str) -> Vec<String> {
         header.split(',').map(str::to_owned).collect()
@@ -289,7 +305,7 @@ mod tests {
             ("a_mg", "mg"),
             ("a_g", "g"),
         ] {
-            assert_eq!(by_name(name, None).unwrap().unit, unit, "{name}");
+            assert_eq!(plain_unit(by_name(name, None).unwrap().unit), unit, "{name}");
         }
         for name in ["time_s", "rad_s", "heading", "omg", "temperature_c"] {
             assert_eq!(by_name(name, None), None, "{name}");
@@ -307,7 +323,7 @@ mod tests {
             ("AccelX (m/s^2)", "m_s2"),
             ("a_RS_S_x [m s^-2]", "m_s2"),
         ] {
-            assert_eq!(by_name(name, None).unwrap().unit, unit, "{name}");
+            assert_eq!(plain_unit(by_name(name, None).unwrap().unit), unit, "{name}");
         }
         for (header, time) in [
             ("TimeUS,GyrX,AccZ", ("TimeUS", 1e-6)),
@@ -316,7 +332,7 @@ mod tests {
             ("TimeStartup,GyroX,AccelZ", ("TimeStartup", 1e-9)),
         ] {
             let units: Vec<&str> = chosen(header, &[]).unwrap().iter().map(|column| column.1.unit).collect();
-            assert_eq!(units, ["rad_s", "m_s2"], "{header}");
+            assert_eq!(units, ["rad/s", "m/s2"], "{header}");
             assert_eq!(stamps(&names(header), &[]), Some((time.0.to_owned(), Stamp::Number(time.1))));
             let others = header.replace(time.0, "when");
             assert!(chosen(&others, &[]).unwrap_err().contains("--columns"), "{others}");

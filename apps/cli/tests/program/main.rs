@@ -18,6 +18,7 @@ mod fdr;
 mod flight_records;
 mod fly;
 mod identify;
+mod imu;
 mod increments;
 mod inputs;
 mod judged;

@@ -1,0 +1,21 @@
+//! The `[imu]` of a file or of a scene.
+
+use std::path::Path;
+
+use sins::log::LogMapping;
+use sins::scene::Scene;
+
+use crate::failure::Failure;
+use crate::given::Settings;
+
+/// The `[imu]` of a scene; `None`: it has none.
+pub fn of_scene(scene: &Scene) -> Option<&LogMapping> {
+    Some(&*scene.imu).filter(|mapping| **mapping != LogMapping::of_imu())
+}
+
+/// The `[imu]` of the file of --imu-map.
+pub fn of_file(path: &Path) -> Result<LogMapping, Failure> {
+    let scene = Settings { columns: Some(path.to_owned()), ..Settings::default() }.mappings()?;
+    let what = "expected a section [imu] with the columns of the record, as gyro_x = { col = \"wx\", unit = \"deg/s\" }";
+    scene.as_ref().and_then(of_scene).cloned().ok_or_else(|| Failure::of_file(path, &what))
+}

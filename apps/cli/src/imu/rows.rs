@@ -1,0 +1,193 @@
+//! The rows of a record: with columns that their names say, or those of `[imu]`.
+
+use std::io::Read as Input;
+use std::path::Path;
+
+use sins::log::{Clock, ImuTable, LogMapping, TimeFormat};
+use sins::scene::excerpt;
+
+use super::begin::{Plain, plain};
+use super::quantity::{self, Quantity, Stamp, Wanted, choose, mapped};
+use super::taken::{self, Guess};
+use crate::failure::Failure;
+use crate::given::{beside, of_log, read_bytes};
+use crate::table::{Chosen, Table};
+
+/// Largest number of rows of a record, as of the library, and of bytes of one that `[imu]` describes, which is read as a whole.
+pub const MOST_ROWS: usize = 100_000_000;
+const MOST_BYTES: u64 = 1 << 34;
+
+/// Part of an interval by which the stamps of two files may differ.
+const APART: f64 = 0.1;
+
+/// A record, and how it is read.
+#[derive(Debug, Clone, Copy)]
+pub struct Source<'a> {
+    /// Its file; "-": standard input.
+    pub path: &'a Path,
+    /// Columns of the command line, and the argument that names them.
+    pub columns: &'a [Wanted],
+    pub flag: &'static str,
+    /// Samples a second of the command line.
+    pub rate_hz: Option<f64>,
+    /// `[imu]`, if one is given.
+    pub mapping: Option<&'a LogMapping>,
+}
+
+/// A column: value = scale · unit · number + add.
+pub struct Read {
+    pub name: String,
+    pub quantity: Quantity,
+    pub scale: f64,
+    pub add: f64,
+    pub numbers: Vec<f64>,
+}
+
+/// The rows of a record.
+pub struct Rows {
+    pub columns: Vec<Read>,
+    /// Name of the column of stamps, and the stamps [s].
+    pub time: Option<(String, Vec<f64>)>,
+    /// Rate of rows that are counted; otherwise there are stamps.
+    pub rate_hz: Option<f64>,
+    pub count: usize,
+    /// Number of rows that were left out, and the line of the first.
+    pub left_out: Option<(usize, u64)>,
+    /// Line of a row, from 0.
+    pub line: Box<dyn Fn(usize) -> u64>,
+    /// The `[imu]` that reads it in the same way.
+    pub taken: Option<Box<LogMapping>>,
+}
+
+impl Rows {
+    pub fn read(source: &Source<'_>, input: impl Input) -> Result<Self, Failure> {
+        match source.mapping {
+            Some(mapping) => Self::of_mapping(source, mapping, input),
+            None => Self::of_names(source, input),
+        }
+    }
+
+    /// The columns that the names and the command line say.
+    fn of_names(source: &Source<'_>, input: impl Input) -> Result<Self, Failure> {
+        let Source { path, flag, rate_hz, .. } = *source;
+        let Plain { input, separator, is_marked } =
+            plain(input).map_err(|error| Failure::of_input(path, &error))?;
+        let mut guess = Guess { separator, is_marked, rate_hz, ..Guess::default() };
+        let mut table = Table::read_some(path, input, |names| {
+            guess.columns =
+                choose(names, source.columns, flag).map_err(|failure| Failure::of_line(path, 1, &failure))?;
+            guess.time = quantity::stamps(names, source.columns);
+            guess.names = names.to_vec();
+            let clock = guess.time.iter().find_map(|(name, stamp)| match stamp {
+                Stamp::Clock(format) => {
+                    let mapping = LogMapping { time_format: *format, ..LogMapping::default() };
+                    Some((name.clone(), Clock::new(&mapping)))
+                }
+                Stamp::Number(_) => None,
+            });
+            let names =
+                guess.columns.iter().map(|(name, _)| name).chain(guess.time.iter().map(|(name, _)| name));
+            // Where rows are counted, a row that is left out would move those behind it.
+            let may_have_holes = rate_hz.is_none() && guess.time.is_some();
+            Ok(Chosen { names: names.cloned().collect(), clock, may_have_holes, most: Some(MOST_ROWS) })
+        })?;
+        if guess.time.is_none() && rate_hz.is_none() {
+            let header = table.header();
+            let what = format!(
+                "expected a column \"time_s\" in the header, --rate, or {flag} \"NAME=s\"; the header has {header}"
+            );
+            return Err(Failure::of_line(path, 1, &what));
+        }
+        let time: Option<Result<_, Failure>> = guess.time.as_ref().map(|(name, stamp)| {
+            // The stamps of rows that are counted are not read.
+            let mut times_s = if rate_hz.is_some() { Vec::new() } else { table.take(name)? };
+            if let Stamp::Number(unit) = stamp {
+                times_s.iter_mut().for_each(|time| *time *= unit);
+            }
+            Ok((name.clone(), times_s))
+        });
+        let time = time.transpose()?;
+        let taken = taken::of(&guess);
+        let columns = guess.columns.into_iter().map(|(name, quantity)| {
+            let numbers = table.take(&name)?;
+            Ok(Read { name, quantity, scale: 1.0, add: 0.0, numbers })
+        });
+        let columns = columns.collect::<Result<_, Failure>>()?;
+        let (count, left_out) = (table.rows(), table.left_out());
+        let line = Box::new(move |row| table.line(row));
+        Ok(Self { columns, time, rate_hz, count, left_out, line, taken })
+    }
+
+    /// The columns that `[imu]` says.
+    fn of_mapping(source: &Source<'_>, mapping: &LogMapping, input: impl Input) -> Result<Self, Failure> {
+        let path = source.path;
+        let mut taken = Box::new(mapping.clone());
+        if source.rate_hz.is_some() {
+            (taken.time_format, taken.rate_hz) = (TimeFormat::Row, source.rate_hz);
+        }
+        let mut bytes = Vec::new();
+        let read = input.take(MOST_BYTES + 1).read_to_end(&mut bytes);
+        read.map_err(|error| Failure::of_input(path, &error))?;
+        if bytes.len() as u64 > MOST_BYTES {
+            let what = format!("more than {MOST_BYTES} bytes, the most of a record that is read by [imu]");
+            return Err(Failure::of_file(path, &what));
+        }
+        let mut table = ImuTable::parse(&bytes, &taken, "").map_err(|error| of_log(path, error))?;
+        drop(bytes);
+        let mut files: Vec<&str> = taken.columns.iter().map(|column| column.file.as_str()).collect();
+        files.sort_unstable();
+        files.dedup();
+        for file in files.into_iter().filter(|file| !file.is_empty()) {
+            let other = beside(path, file)?;
+            let of_other =
+                ImuTable::parse(&read_bytes(&other)?, &taken, file).map_err(|error| of_log(&other, error))?;
+            check_stamps(&table, &of_other, path, &other)?;
+            table.columns.extend(of_other.columns);
+        }
+        // In the order of the keys: gyros, then accelerometers.
+        let place = |key: &str| sins::log::IMU_QUANTITIES.iter().position(|its| key.ends_with(its.key));
+        table.columns.sort_by_key(|column| place(&column.key));
+        let columns = table.columns.into_iter().map(|column| {
+            let quantity = mapped(&column).map_err(|failure| Failure::of_file(path, &failure))?;
+            Ok(Read {
+                name: column.name,
+                quantity,
+                scale: column.scale,
+                add: column.add,
+                numbers: column.numbers,
+            })
+        });
+        let (columns, lines) = (columns.collect::<Result<Vec<_>, Failure>>()?, table.lines);
+        let rate_hz = taken.rate_hz.filter(|_| taken.time_format == TimeFormat::Row);
+        let time = rate_hz.is_none().then_some((table.time, table.times_s));
+        let left_out = table.left_out.map(|(count, line)| (count as usize, line));
+        let count = lines.len();
+        let line = Box::new(move |row: usize| lines.get(row).copied().unwrap_or_default());
+        Ok(Self { columns, time, rate_hz, count, left_out, line, taken: Some(taken) })
+    }
+}
+
+/// Rejects a file beside the record whose rows are not at the times of the rows of the record: nothing is interpolated, which would
+/// change the noise.
+fn check_stamps(record: &ImuTable, other: &ImuTable, path: &Path, file: &Path) -> Result<(), Failure> {
+    let (own, its) = (&record.times_s, &other.times_s);
+    let name = excerpt(&path.display().to_string());
+    if own.len() != its.len() {
+        let what = format!("{} rows: must be the {} rows of {name}, at the same times", its.len(), own.len());
+        return Err(Failure::of_file(file, &what));
+    }
+    let interval_s = match own.as_slice() {
+        [first, .., last] => (last - first) / (own.len() - 1) as f64,
+        _ => 0.0,
+    };
+    let limit_s = APART * interval_s;
+    let apart = own.iter().zip(its).position(|(own_s, its_s)| (own_s - its_s).abs() > limit_s);
+    let Some(row) = apart else { return Ok(()) };
+    let what = format!(
+        "{} s: must be within {} s of the time of that row in {name}, {} s",
+        its[row],
+        crate::units::significant(limit_s),
+        own[row]
+    );
+    Err(Failure::of_line(file, other.lines[row], &what))
+}
