@@ -616,6 +616,16 @@ class Identification(unittest.TestCase):
         self.assertRaisesRegex(KeyError, "the parameters are clock shift, ", lambda: found["gyro bias"])
         run = sins.fly(found.scene(), hours=0.01)
         self.assertGreater(abs(run.position_error_m[-1]).max(), 1)
+        figure, drawn = found.plot(), io.BytesIO()
+        figure.savefig(drawn, format="png")
+        self.assertGreater(len(drawn.getvalue()), 10_000)
+        # Every parameter that has a prior is one line with its own name, and its interval is in standard deviations of the prior.
+        names = [label.get_text() for axis in figure.axes for label in axis.get_yticklabels()]
+        self.assertEqual(sorted(names), sorted(one.name for one in found.parameters if one.prior > 0))
+        lines = [line.get_xdata() for axis in figure.axes for line in axis.lines if len(line.get_xdata()) == 2]
+        self.assertEqual(len(lines), len(names))
+        for name, ends in zip(names, lines):
+            self.assertTrue(np.allclose(np.array(ends) * found[name].prior, found[name].interval), name)
 
     def test_a_record_of_another_clock_and_other_axes(self):
         turned = self.as_dict(time_s=self.imu["time_s"] - 5.0, rate_rad_s=None)

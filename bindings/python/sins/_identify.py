@@ -1,7 +1,7 @@
 """The errors of real sensors, from a record of their increments and the true path of the same motion."""
 
 from dataclasses import dataclass
-from typing import Any, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -9,6 +9,9 @@ import numpy.typing as npt
 from sins import c
 from sins._calls import INTERVALS, Progress, in_background
 from sins._scene import Floats, Flown, Scene, Setting, numbers
+
+if TYPE_CHECKING:
+    import matplotlib.figure
 
 _GRADES = ("strategic", "navigation", "tactical", "industrial", "consumer")
 # Names of a record, with the name of the same integrated over the interval.
@@ -71,6 +74,30 @@ class Identified:
     def scene(self) -> str:
         """The text of a scene whose sensors have what was found; its vehicle is at rest: give a log or other settings to `fly`."""
         return self.text
+
+    def plot(self) -> "matplotlib.figure.Figure":
+        """A figure of matplotlib: each parameter with its 95 % interval, in standard deviations of its prior; grey, the 95 % interval of the
+        prior; hollow, what the record does not show. Noise has no prior, and is not drawn."""
+        from matplotlib.figure import Figure
+
+        drawn = [one for one in self.parameters if one.prior > 0]
+        panels = [[one for one in drawn if one.name.split()[0] == sensor] for sensor in ("gyro", "accelerometer")]
+        panels.insert(0, [one for one in drawn if not any(one in panel for panel in panels)])
+        figure = Figure(figsize=(9, 0.3 * len(drawn) + 1.5), layout="constrained")
+        axes = figure.subplots(len(panels), 1, sharex=True, squeeze=False, gridspec_kw={"height_ratios": [len(panel) for panel in panels]})[:, 0]
+        for axis, panel in zip(axes, panels):
+            axis.axvspan(-1.96, 1.96, color="0.9")
+            for place, one in enumerate(panel):
+                ends = [end / one.prior for end in one.interval]
+                axis.plot(ends, [place, place], color="C0", linewidth=2, alpha=1.0 if one.is_seen else 0.4)
+                axis.plot([one.value / one.prior], [place], "o", color="C0", fillstyle="full" if one.is_seen else "none")
+            axis.set_yticks(range(len(panel)), [one.name for one in panel])
+            axis.invert_yaxis()
+            axis.grid(alpha=0.3)
+        # What is seen is far narrower than its prior.
+        axes[-1].set_xscale("symlog", linthresh=1e-3)
+        axes[-1].set_xlabel("standard deviations of the prior")
+        return figure
 
 
 def _increments(imu: Any) -> "npt.NDArray[Any]":
