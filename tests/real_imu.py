@@ -84,12 +84,15 @@ def drive():
 
 
 def aircraft():
-    """An aircraft with fixes of 1 Hz: refused as it is, flown when it is smoothed."""
+    """An aircraft with fixes of 1 Hz: refused as it is, flown when it is smoothed; its path has other forces than its sensors measured."""
     export(UAV, FOLDER / "uav.csv")
     sins("log", "uav.csv", "--map", "uav.toml", "--force", code=2)
     contains("judge of the aircraft", sins("log", "uav.csv", "--columns", "uav.toml", code=2), "smooth the log")
     sins("log", "uav.csv", "--columns", "uav.toml", "--smooth", "-o", "uav.path.csv", "--force")
     sins("fly", "uav.path.csv", "--quiet", "-o", "uav", "--force")
+    said = sins("identify", "uav.path.csv", "--imu", "uav.csv", "-o", "uav.sensor.toml", code=2)
+    print("sensors of the aircraft:", said.strip())
+    contains("sensors of the aircraft", said, "at least 0.8 if the path has its forces")
 
 
 drive()

@@ -10,6 +10,7 @@ use sins::math::{euler_from_attitude, rotation_matrix, rotation_quaternion, rota
 use sins::scene::builtin;
 use sins::sensors::{Grade, StreamKey, TriadParameters};
 use sins::signal::mounting::MountingParameters;
+use sins::truth::FlightSample;
 use sins::truth::flight::Flight;
 use sins::{Options, Simulator, Step};
 

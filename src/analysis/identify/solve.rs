@@ -10,7 +10,7 @@ use super::noise::{Coefficients, Evidence, Shapes, TOO_EXACT, evidences};
 use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
 use super::path::IdealPath;
 use super::rows::{About, Rows, coefficients};
-use super::unfit::{check_gaps, check_number, check_priors, check_spikes, check_stuck};
+use super::unfit::{check_gaps, check_number, check_priors, check_spikes, check_stuck, other_forces};
 use super::walk::walks;
 use super::whiten::Steps;
 use super::{Identified, Request, pieces};
@@ -59,10 +59,12 @@ pub(super) fn identify(
     }
     let start = begin(path, &blocks, &search, request)?;
     let fitted = fit(path, &blocks, request, start)?;
+    // Where the path lacks the forces, a jump and a parameter beyond its prior are its traces in the fit.
+    let cause = |error: Error| other_forces(&fitted.rows).unwrap_or(error);
     if let Some(jump) = jump::small(&fitted, blocks.len(), interval_s)? {
         let jump = refined(path, &blocks, request, jump);
         if jump.is_large(interval_s) {
-            return Err(jump.error(&blocks));
+            return Err(cause(jump.error(&blocks)));
         }
     }
     check_spikes(&fitted)?;
@@ -72,7 +74,7 @@ pub(super) fn identify(
     let noise = fitted.evidences.map(|one| one.noise);
     let for_twins = (change * root(covariance, &fitted.prior)?, walks(&fitted)?);
     let found = Identified::new(request, &solution, for_twins, noise, &fitted.about, start.1, &fitted.rows);
-    check_priors(&found)?;
+    check_priors(&found).map_err(cause)?;
     Ok(found)
 }
 

@@ -1,18 +1,22 @@
 //! What speaks against a record before its fit and against the fit itself.
 
 use super::Identified;
+use super::axes::SAME;
 use super::blocks::{Block, FEWEST_INCREMENTS};
 use super::clock::Search;
 use super::parameter::{Estimate, Place};
 use super::path::IdealPath;
+use super::rows::Rows;
 use super::solve::Fitted;
+use super::whiten::Columns;
 use crate::base::error::{Error, Rule};
 use crate::base::memory::room;
+use crate::base::records::rounded;
 
 /// Fewest blocks of a fit.
 const FEWEST: usize = FEWEST_INCREMENTS / 2;
 /// The sensors in messages.
-const SENSORS: [&str; 6] = [
+pub(super) const SENSORS: [&str; 6] = [
     "record.angle.x",
     "record.angle.y",
     "record.angle.z",
@@ -33,6 +37,9 @@ const OF_PRIOR: f64 = 8.0;
 const SPIKE: f64 = 30.0;
 const USUAL: f64 = 0.98;
 const OF_MOTION: f64 = 0.5;
+/// Least part of the possible correlation of a force that the path has, and least change of a force that shows it [m/s²].
+const OF_FORCES: f64 = 0.8;
+const LEAST_FORCE: f64 = 0.1;
 
 /// Rejects a record of which too little lies on the path at a shift of the clock.
 pub(super) fn check_number(on_path: usize, blocks: &[Block]) -> Result<(), Error> {
@@ -108,6 +115,82 @@ pub(super) fn check_spikes(fitted: &Fitted) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// What a record that cannot be fitted says instead of the symptom, if the rates of record and path agree, and the forces along an axis do
+/// not: then the path has not the forces that the sensors measured.
+pub(super) fn other_forces(rows: &Rows) -> Option<Error> {
+    let of = |sensor: usize| Follows::new(&rows.of_sensor[sensor], sensor % 3);
+    let rates = Follows::sum([of(0), of(1), of(2)]).correlation();
+    let forces = [3, 4, 5].map(|sensor| (sensor, of(sensor)));
+    let moving =
+        forces.into_iter().filter(|(_, of_axis)| of_axis.ideal > of_axis.count * LEAST_FORCE * LEAST_FORCE);
+    let qualities = moving.map(|(sensor, of_axis)| (sensor, of_axis.correlation(), of_axis.quality()));
+    let (sensor, correlation, quality) = qualities.min_by(|a, b| a.2.total_cmp(&b.2))?;
+    if rates < SAME || quality >= OF_FORCES {
+        return None;
+    }
+    let rule = Rule::SentenceWith(
+        "correlation of this sensor with the path, at least 0.8 if the path has its forces: the fixes of the path are few or late, its \
+         attitude and its positions are on two clocks, or the sensor is beyond its range. Correlation of the rates:",
+        rounded(rates, 4).into(),
+    );
+    Some(Error::invalid(SENSORS[sensor], correlation, rule))
+}
+
+/// How a sensor follows the path: sums of squares and products over the blocks, each signal less its mean.
+#[derive(Debug, Clone, Copy, Default)]
+struct Follows {
+    recorded: f64,
+    ideal: f64,
+    cross: f64,
+    /// Sum of squares that the second differences of neighbouring blocks show.
+    noise: f64,
+    count: f64,
+}
+
+impl Follows {
+    fn new(rows: &[Columns], axis: usize) -> Self {
+        let ideal = |row: &Columns| row[2 + axis];
+        let recorded = |row: &Columns| row[0] + ideal(row);
+        let count = rows.len() as f64;
+        let [recorded_mean, ideal_mean] =
+            [rows.iter().map(recorded).sum::<f64>() / count, rows.iter().map(ideal).sum::<f64>() / count];
+        let mut sums = Self { count, ..Self::default() };
+        for row in rows {
+            let (m, u) = (recorded(row) - recorded_mean, ideal(row) - ideal_mean);
+            sums.recorded += m * m;
+            sums.ideal += u * u;
+            sums.cross += m * u;
+        }
+        let second = |w: &[Columns]| w[0][0] - 2.0 * w[1][0] + w[2][0];
+        let square = |x: f64| x * x;
+        // White noise has second differences of six times its variance.
+        sums.noise = rows.windows(3).map(|w| square(second(w))).sum::<f64>() / 6.0;
+        sums
+    }
+
+    fn sum(of: [Self; 3]) -> Self {
+        of.into_iter().fold(Self::default(), |sum, one| Self {
+            recorded: sum.recorded + one.recorded,
+            ideal: sum.ideal + one.ideal,
+            cross: sum.cross + one.cross,
+            noise: sum.noise + one.noise,
+            count: sum.count + one.count,
+        })
+    }
+
+    fn correlation(&self) -> f64 {
+        let size = (self.recorded * self.ideal).sqrt();
+        if size > 0.0 { self.cross / size } else { 0.0 }
+    }
+
+    /// The correlation as a part of that which the noise leaves.
+    fn quality(&self) -> f64 {
+        let size = self.ideal + self.noise;
+        let possible = if size > 0.0 { (self.ideal / size).sqrt() } else { 0.0 };
+        self.correlation() / possible.max(0.5)
+    }
 }
 
 /// Rejects parameters that sensors with these priors do not have: of sensors that are worse, or of signals that are others.

@@ -46,7 +46,7 @@ type Fault<'a> = (&'a str, &'a dyn Fn(usize, &mut RecordedIncrement));
 /// The cause is named, and no other one.
 #[test]
 fn faults_of_sensors_and_clocks_are_named() {
-    let faults: [Fault<'_>; 12] = [
+    let faults: [Fault<'_>; 13] = [
         ("record.angle = 0.99", &|_, one| one.increment.angle.y *= -1.0),
         ("record.angle = 0.99", &|_, one| one.increment.angle *= -1.0),
         ("record.velocity = 0.99", &|_, one| one.increment.velocity.y *= -1.0),
@@ -59,13 +59,18 @@ fn faults_of_sensors_and_clocks_are_named() {
         ("record.angle = 1000", &|_, one| one.increment.angle *= 1e3),
         ("record.velocity = 0.001", &|_, one| one.increment.velocity *= 1e-3),
         ("record.time_s = 86400", &|row, one| one.time_s += if row > 3000 { 86400.0 } else { 0.0 }),
+        ("record.velocity.y = ", &|row, one| {
+            one.increment.velocity.y += if row == 3000 { 30.0 } else { 0.0 }
+        }),
     ];
     let answers: Vec<String> = faults.iter().map(|(_, change)| refused(change)).collect();
     for ((named, _), answer) in faults.iter().zip(&answers) {
         assert!(answer.starts_with(named), "{named}: {answers:#?}");
     }
     assert!(answers[..4].iter().all(|answer| answer.contains("left-handed axes")), "{answers:#?}");
-    assert!(answers[6].contains("a spike. It is at [s] 120"), "{answers:#?}");
+    for spike in [6, 12] {
+        assert!(answers[spike].contains("a spike. It is at [s] 120"), "{answers:#?}");
+    }
     // Sensors that are worse than expected are found by a wider prior.
     let biased = |prior: Prior| {
         let aerobatics = flight("aerobatics");
@@ -114,4 +119,28 @@ fn a_short_record_is_found_on_a_long_path() {
         error.unwrap_err().to_string(),
         "request.shift_s = 1000000: leaves the path and the record no time in common"
     );
+}
+
+/// A path whose positions are late against its attitude has other forces than the sensors measured. That is what is said, and no jump of a
+/// clock and no bad sensor.
+#[test]
+fn forces_that_the_path_has_not_are_named() {
+    let aerobatics = flight("aerobatics");
+    let record = Unit::default().record(&aerobatics, MINUTES);
+    let said = |late_s: f64| {
+        let samples = times(MINUTES).map(|time_s| {
+            let late = aerobatics.sample_at((time_s - late_s).max(MINUTES.0))?;
+            Ok(FlightSample { place: late.place, v_n: late.v_n, ..aerobatics.sample_at(time_s)? })
+        });
+        let path = IdealPath::fly(&Options::default(), samples).unwrap();
+        let answer = identify(&path, &record, &Request::default());
+        answer.err().map_or("accepted".to_owned(), |error| error.to_string())
+    };
+    assert_eq!(said(0.0), "accepted");
+    for late_s in [0.4, 0.7, 1.0] {
+        let words = said(late_s);
+        println!("positions {late_s} s late: {words}");
+        assert!(words.starts_with("record.velocity."), "{words}");
+        assert!(words.contains("at least 0.8 if the path has its forces"), "{words}");
+    }
 }
