@@ -664,7 +664,7 @@ typedef struct sins_error_info {
     char field[96];
     /** Element of the field, from 0; -1: the field is not an array, or the whole field is at fault. */
     int64_t index;
-    /** Index of the sample in the array of the call, from 0; -1: no sample is at fault. */
+    /** Index of the sample or of the recorded increment in the array of the call, from 0; -1: none is at fault. */
     int64_t sample;
     /** With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double. */
     double value;

@@ -434,7 +434,8 @@ SINS_API sins_status SINS_CALL sins_identify_push_samples(sins_identify *identif
  * each element of increments; struct_size of the other increments may be 0. A gap between increments is permitted. Not for a
  * real-time frame: it allocates.
  *
- * An error ends the call at the increment that caused it; sins_last_error(NULL, ...) names its index. The increments before it were taken.
+ * An error ends the call at the increment that caused it; sins_last_error(NULL, ...) names its field and its index. The increments before
+ * it were taken.
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range, a signal above 1e6 rad/s or 1e6 m/s2, or an increment too many.
  * SINS_ERROR_TIME_ORDER: an increment that is not later than the one before. SINS_ERROR_OUT_OF_MEMORY: no memory.
  */
@@ -446,7 +447,7 @@ SINS_API sins_status SINS_CALL sins_identify_push_increments(sins_identify *iden
  * stays until then. identified may be NULL. An hour takes about a second. Not for a real-time frame; the call takes up to 256 KB of stack.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the record does not fit the path: it is of another motion or in other units, too short, has a sensor that
- * is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, and gives the figure.
+ * is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, with the field of the increments if it is one, and the figure.
  * SINS_ERROR_BAD_STATE: the path has less than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
  */
 SINS_API sins_status SINS_CALL sins_identify_solve(sins_identify *identify, sins_identified *identified);

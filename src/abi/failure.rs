@@ -72,7 +72,7 @@ include!(concat!(env!("OUT_DIR"), "/status_names.rs"));
 pub(super) struct CallError {
     pub status: sins_status,
     pub error: Error,
-    /// Index of the sample in an array that it concerns.
+    /// Index of the sample or of the increment in an array that it concerns.
     pub sample: Option<usize>,
 }
 
@@ -148,7 +148,7 @@ impl CallError {
         Self { error: self.error.at(index), ..self }
     }
 
-    /// Adds to the failure that it concerns sample `index` of an array.
+    /// Adds to the failure that it concerns sample or increment `index` of an array.
     pub fn of_sample(self, index: usize) -> Self {
         Self { sample: Some(index), ..self }
     }
@@ -187,6 +187,7 @@ impl fmt::Display for CallError {
             _ => {}
         }
         match self.sample {
+            Some(index) if field.starts_with("increments") => write!(f, " (increments[{index}])"),
             Some(index) => write!(f, " (samples[{index}])"),
             None => Ok(()),
         }

@@ -166,6 +166,29 @@ fn exchange(axes: [i32; 3]) -> Result<Option<Matrix3<f64>>, CallError> {
     Ok(Some(exchange))
 }
 
+/// What the library says of a record: the field of the host's increments, and the axis.
+const FIELDS: [(&str, &str, Option<usize>); 11] = [
+    ("record.count", "increments", None),
+    ("record.time_s", "increments.time_s", None),
+    ("record.interval_s", "increments.interval_s", None),
+    ("record.angle", "increments.angle_rad", None),
+    ("record.angle.x", "increments.angle_rad", Some(0)),
+    ("record.angle.y", "increments.angle_rad", Some(1)),
+    ("record.angle.z", "increments.angle_rad", Some(2)),
+    ("record.velocity", "increments.velocity_m_s", None),
+    ("record.velocity.x", "increments.velocity_m_s", Some(0)),
+    ("record.velocity.y", "increments.velocity_m_s", Some(1)),
+    ("record.velocity.z", "increments.velocity_m_s", Some(2)),
+];
+
+/// An error about a record, about the field of the host's increments. What is no field, as the motion, keeps its name.
+fn in_fields(error: Error) -> Error {
+    match FIELDS.iter().find(|(own, ..)| *own == error.field) {
+        Some((_, field, axis)) => Error { field, index: axis.or(error.index), ..error },
+        None => error,
+    }
+}
+
 impl sins_recorded_increment {
     fn to_row(self) -> Result<RecordedIncrement, CallError> {
         check_reserved("increments.reserved", self.reserved)?;
@@ -321,7 +344,8 @@ pub unsafe extern "C-unwind" fn sins_identify_push_samples(
 /// each element of increments; struct_size of the other increments may be 0. A gap between increments is permitted. Not for a
 /// real-time frame: it allocates.
 ///
-/// An error ends the call at the increment that caused it; sins_last_error(NULL, ...) names its index. The increments before it were taken.
+/// An error ends the call at the increment that caused it; sins_last_error(NULL, ...) names its field and its index. The increments before
+/// it were taken.
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range, a signal above 1e6 rad/s or 1e6 m/s2, or an increment too many.
 /// SINS_ERROR_TIME_ORDER: an increment that is not later than the one before. SINS_ERROR_OUT_OF_MEMORY: no memory.
 #[unsafe(no_mangle)]
@@ -335,8 +359,15 @@ pub unsafe extern "C-unwind" fn sins_identify_push_increments(
         let increments = unsafe { Array::new(increments.cast_mut(), count, "increments")? };
         for index in 0..count {
             let row = increments.read(index).and_then(sins_recorded_increment::to_row);
-            let taken = row.and_then(|row| Ok(feed.push_increment(&row)?));
-            taken.map_err(|failure| failure.of_element(index))?;
+            let taken = row.and_then(|row| {
+                feed.push_increment(&row).map_err(|error| {
+                    let own = in_fields(error);
+                    // The library checks rates, the host has their integrals.
+                    let is_integral = own.index.is_some();
+                    if is_integral { own.in_unit(1.0 / row.interval_s) } else { own }.into()
+                })
+            });
+            taken.map_err(|failure| failure.of_sample(index))?;
         }
         Ok(SINS_OK)
     })
@@ -346,7 +377,7 @@ pub unsafe extern "C-unwind" fn sins_identify_push_increments(
 /// stays until then. identified may be NULL. An hour takes about a second. Not for a real-time frame; the call takes up to 256 KB of stack.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the record does not fit the path: it is of another motion or in other units, too short, has a sensor that
-/// is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, and gives the figure.
+/// is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, with the field of the increments if it is one, and the figure.
 /// SINS_ERROR_BAD_STATE: the path has less than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_identify_solve(
@@ -356,7 +387,7 @@ pub unsafe extern "C-unwind" fn sins_identify_solve(
     with_identify(identify, |feed| {
         // SAFETY: the host's promise.
         let output = unsafe { Output::if_wanted(identified, "identified")? };
-        feed.solve()?;
+        feed.solve().map_err(in_fields)?;
         if let Some(output) = output {
             output.write(&sins_identified::new(feed.found()?, feed.increments(), feed.options()));
         }

@@ -40,7 +40,7 @@ pub struct sins_error_info {
     pub field: [c_char; 96],
     /// Element of the field, from 0; -1: the field is not an array, or the whole field is at fault.
     pub index: i64,
-    /// Index of the sample in the array of the call, from 0; -1: no sample is at fault.
+    /// Index of the sample or of the recorded increment in the array of the call, from 0; -1: none is at fault.
     pub sample: i64,
     /// With SINS_ERROR_INFO_VALUE: the value at fault, which may be NaN or infinite; for an integer, the nearest double.
     pub value: f64,

@@ -162,7 +162,15 @@ static void wrong_use_is_answered(void)
     record[1].time_s = 2.01;
     record[1].angle_rad[2] = INFINITY;
     CHECK(sins_identify_push_increments(identify, record, 3) == SINS_ERROR_INVALID_ARGUMENT);
-    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strstr(text, "record.angle[1] = inf: ") == text);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK && strcmp(text, "increments.angle_rad[2] = inf: must be a finite number (increments[1])") == 0);
+    record[1].angle_rad[2] = 0.0;
+    record[1].velocity_m_s[1] = 2e4;
+    CHECK(sins_identify_push_increments(identify, record + 1, 1) == SINS_ERROR_STRUCT_SIZE);
+    record[1].struct_size = sizeof record[1];
+    CHECK(sins_identify_push_increments(identify, record + 1, 1) == SINS_ERROR_INVALID_ARGUMENT);
+    CHECK(sins_last_error(NULL, text, sizeof text, NULL) == SINS_OK);
+    CHECK(strcmp(text, "increments.velocity_m_s[1] = 20000: must be from -10000 to 10000 (increments[0])") == 0);
+    record[1].struct_size = 0;
     CHECK(sins_identify_push_increments(identify, record, 1) == SINS_ERROR_TIME_ORDER);
     record[0].time_s = NAN;
     CHECK(sins_identify_push_increments(identify, record, 1) == SINS_ERROR_INVALID_ARGUMENT);

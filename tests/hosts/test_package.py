@@ -665,10 +665,10 @@ class Identification(unittest.TestCase):
             (ValueError, r"time_s has the shape \(1,\)", {"imu": self.as_dict(time_s=[0.0])}),
             (ValueError, r"interval_s has the shape \(2,\)", {"imu": self.as_dict(interval_s=[0.1, 0.1])}),
             (TypeError, "velocity_m_s: not numbers", {"imu": self.as_dict(velocity_m_s="abc")}),
-            (sins.Error, r"record.angle\[0\] = NaN", {"imu": self.as_dict(angle_rad=np.full((rows, 3), np.nan))}),
-            (sins.Error, r"record.time_s\[1\] = 0: must be later", {"imu": self.as_dict(time_s=np.zeros(rows), interval_s=0.04)}),
-            (sins.Error, "record.", {"imu": self.as_dict(angle_rad=57.3 * self.imu["measured_angle_rad"])}),
-            (sins.Error, "record.count = 50: must be at least 100", {"imu": self.imu[:50]}),
+            (sins.Error, r"increments.angle_rad\[0\] = NaN: must be a finite number \(increments\[0\]\)", {"imu": self.as_dict(angle_rad=np.full((rows, 3), np.nan))}),
+            (sins.Error, r"increments.time_s = 0: must be later than the increment before, at 0 \(increments\[1\]\)", {"imu": self.as_dict(time_s=np.zeros(rows), interval_s=0.04)}),
+            (sins.Error, r"increments.angle_rad = 57.\d+: size of the rates", {"imu": self.as_dict(angle_rad=57.3 * self.imu["measured_angle_rad"])}),
+            (sins.Error, "increments = 50: must be at least 100", {"imu": self.imu[:50]}),
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
                 sins.identify("aerobatics", arguments.pop("imu", self.imu), **arguments, **self.path)

@@ -1,6 +1,7 @@
 //! The record as means over blocks of nearly equal length: what the fit reads of it.
 
 use super::path::{Six, six};
+use super::unfit::SENSORS;
 use crate::base::error::{Error, ErrorKind, Rule, check_range};
 use crate::base::memory::{room, room_for_one_more};
 use crate::signal::Increment;
@@ -142,8 +143,7 @@ pub(super) fn check_row(row: &RecordedIncrement, last_s: Option<f64>) -> Result<
         return Err(Error::of(ErrorKind::TimeOrder, "record.time_s", row.time_s, rule));
     }
     for (part, value) in six(&row.increment).iter().enumerate() {
-        let name = if part < 3 { "record.angle" } else { "record.velocity" };
-        check_range(name, value / row.interval_s, -LARGEST, LARGEST)?;
+        check_range(SENSORS[part], value / row.interval_s, -LARGEST, LARGEST)?;
     }
     Ok(())
 }
@@ -191,6 +191,6 @@ mod tests {
         assert_eq!(error(&back), "record.time_s[150] = 0: must be later than the increment before, at 1.49");
         let mut wild = record(200, |k| 0.01 * k as f64);
         wild[3].increment.velocity.y = f64::NAN;
-        assert_eq!(error(&wild), "record.velocity[3] = NaN: must be a finite number");
+        assert_eq!(error(&wild), "record.velocity.y[3] = NaN: must be a finite number");
     }
 }

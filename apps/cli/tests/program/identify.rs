@@ -174,7 +174,7 @@ fn unfit_records_are_named() {
     std::fs::write(folder.join("set.csv"), changed(200..usize::MAX, &time(|time| time + 1.7e9))).unwrap();
     refused("set.csv", &[], "set.csv:200: column time_s: a stamp of 1700000");
     std::fs::write(folder.join("wild.csv"), changed(500..501, &|fields| fields[4] = "3e6".into())).unwrap();
-    refused("wild.csv", &[], "record.angle at 9.98 s = 150000000: must be from -1000000 to 1000000");
+    refused("wild.csv", &[], "record.angle.x at 9.98 s = 150000000: must be from -1000000 to 1000000");
     std::fs::write(folder.join("fast.csv"), changed(2..usize::MAX, &time(|time| time * 1e-3))).unwrap();
     refused("fast.csv", &[], "at least 50; it is read as 0.3 s of rows at 50000 Hz");
     refused(
