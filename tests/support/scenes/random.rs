@@ -97,6 +97,9 @@ pub fn random_scene(seed: u64, with_log: bool) -> FlownScene {
     if !is_logged && !has_temperature && text.contains("_per_k") {
         text = text.replacen("[flight]\n", "[flight]\ntemperature_c = 25\n", 1);
     }
+    if draws.one_in(3) {
+        text += &imu(&mut draws);
+    }
     FlownScene { name, text: cleaned(&text), log: log.map(|log| log.text) }
 }
 
@@ -207,6 +210,27 @@ fn value(key: &KeyLine, draws: &mut Draws) -> String {
         KeyKind::Text => "\"at_random.csv\"".to_owned(),
         KeyKind::Flag => "true".to_owned(),
     }
+}
+
+/// The description of a record, which no flight reads.
+fn imu(draws: &mut Draws) -> String {
+    let mut text = format!(
+        "[imu]\nheader = {}\nskip = {}\ncomment = \"%\"\nmissing = -9999\nrate_hz = 200\nseparator = \"{}\"\ntime_format = \"{}\"\n",
+        draws.below(9),
+        draws.below(9),
+        draws.of(&["comma", "semicolon", "tab", "bar", "blanks"]),
+        draws.of(&["s", "hms", "iso", "row", "dmy", "mdy", "mmss"]),
+    );
+    text += "time = { col = 1, unit = \"us\", add = -5 }\n";
+    for (sensor, units) in [("gyro", ["mdeg/s", "arcsec"]), ("accelerometer", ["ug", "mm/s"])] {
+        for axis in ["x", "y", "z"] {
+            text += &format!(
+                "{sensor}_{axis} = {{ col = \"{axis}\", unit = \"{}\", sign = -1 }}\n",
+                draws.of(&units)
+            );
+        }
+    }
+    text
 }
 
 /// Failures of some outputs, of every kind.

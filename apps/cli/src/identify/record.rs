@@ -36,7 +36,15 @@ impl Record {
             rate_hz: order.rate,
             mapping: of_file.as_ref().or(of_truth),
         };
-        let log = Log::read(&source)?;
+        let is_of_truth = of_file.is_none() && of_truth.is_some();
+        let log = Log::read(&source).map_err(|failure| match is_of_truth {
+            true => {
+                let truth = order.truth.display();
+                let hint = format!("the [imu] of {truth} was used; --imu-map or --imu-columns reads the record in another way");
+                Failure::of_kind(failure.kind(), format!("{failure}\n{hint}"))
+            }
+            false => failure,
+        })?;
         let of = |sensor: Sensor| log.series.iter().filter(move |series| series.sensor == sensor);
         let columns: Vec<String> =
             of(Sensor::Gyro).chain(of(Sensor::Accelerometer)).map(|series| series.name.clone()).collect();

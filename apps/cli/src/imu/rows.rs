@@ -134,6 +134,9 @@ impl Rows {
         }
         let mut table = ImuTable::parse(&bytes, &taken, "").map_err(|error| of_log(path, error))?;
         drop(bytes);
+        if table.lines.len() > MOST_ROWS {
+            return Err(Failure::of_file(path, &format!("more than {MOST_ROWS} rows")));
+        }
         let mut files: Vec<&str> = taken.columns.iter().map(|column| column.file.as_str()).collect();
         files.sort_unstable();
         files.dedup();

@@ -136,6 +136,12 @@ fn a_record_with_other_names_and_units_is_described() {
     let of_truth = ["identify", "truth.toml", "--imu", "foreign.csv", "-o", "t.toml"];
     done(&folder, &of_truth);
     assert!(read(folder.join("t.toml")).contains(&sensors[sensors.find("[gyro]").unwrap()..]));
+    // It is said whose description a record does not fit.
+    let errors = rejected(&folder, &["identify", "truth.toml", "--imu", "imu.csv"]);
+    assert!(
+        errors.contains("imu.time: no column t") && errors.contains("the [imu] of truth.toml was used"),
+        "{errors}"
+    );
 }
 
 /// The `[imu]` of what was guessed by names, by columns of the command line, by a rate and with a sign reads the same record again, and its
