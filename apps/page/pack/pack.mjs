@@ -22,8 +22,8 @@ function modules(name, found = new Map()) {
     return found.set(name, source);
 }
 
-/** A module within the common script, which is no module: browsers start no module as worker of a page that is a file. */
-const within = (source) => source.replace(/^import [^;]*? from ".+?";$\n/gm, "").replace(/^export /gm, "").replaceAll("import.meta.url", "location.href");
+/** A module within the common script, which is no module: browsers start no module as worker of a page that is a file. Without its comments. */
+const within = (source) => source.replace(/^ *(\/\/.*|\/\*\*[^]*?\*\/)\n/gm, "").replace(/^import [^;]*? from ".+?";$\n/gm, "").replace(/^export /gm, "").replaceAll("import.meta.url", "location.href");
 
 /** A text within an element of script. */
 function data(id, text, type = "text/plain") {
