@@ -115,7 +115,7 @@
 //! | the covariance equals the closed form at rest, the error of a run over its random number, and the spread of many runs | `tests/analysis/covariance`, `tests/analysis/covariance_runs` |
 //! | contributions of effects equal their closed forms, and the effects that are marked can be left out | `tests/analysis/error_budget`, `tests/analysis/error_budget/mounting_and_gravity.rs` |
 //! | of the 95 % intervals of identified errors, 93 to 97 % hold, and 90 to 98 % of each kind of parameter; clocks are right to 1 ms with industrial and better sensors, axes in all | `tests/analysis/identify.rs` |
-//! | a right model of sensors agrees with the rest of its record in 95 % of the cases, one with a third of the noise is too good, one with three times the noise too bad | `tests/analysis/identify/check.rs` |
+//! | a right model of sensors agrees with the rest of its record in 90 % of the cases, one with a third of the noise is too good, one with three times the noise too bad | `tests/analysis/identify/check.rs` |
 //! | geodetic conversions are accurate to a nanometre | `tests/physics/earth.rs` |
 //! | every getter returns what its setter was given | `tests/state/read_back.rs` |
 //! | a scene in flight gives the bits of the calls one by one, from any snapshot; a rejected sample changes nothing of what follows | `tests/interface/play.rs` |

@@ -21,7 +21,8 @@
 //!   other, because they share biases and overlap. So the verdict does not count flights: it compares the figure of the real record with
 //!   those of the twins, whose flights depend on each other in the same way.
 //! - **Verdict.** z is the logarithm of the figure, less the mean of the twins, over their standard deviation. The limit of |z| is that
-//!   which 95 % of the twins keep at all durations together: a right model agrees in 95 % of the cases.
+//!   which 95 % of the twins keep at all durations together. A right model agrees in 90 % of the cases: the flicker noise of a twin begins
+//!   anew, while the slow part of the real one is in the bias that was removed.
 //!
 //! The number of flights, twins and durations is bounded; memory is that of the path and the record.
 
