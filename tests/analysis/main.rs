@@ -21,6 +21,7 @@ mod recommend;
 mod smooth;
 #[cfg(feature = "scenes")]
 mod smooth_assumed;
+#[cfg(feature = "scenes")]
 mod smooth_cep;
 #[cfg(feature = "scenes")]
 mod smooth_kinds;

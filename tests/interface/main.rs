@@ -38,5 +38,6 @@ mod scene_text;
 mod scene_values;
 #[cfg(feature = "scenes")]
 mod unread_columns;
+#[cfg(feature = "scenes")]
 mod unread_records;
 mod versions;

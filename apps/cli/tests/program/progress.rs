@@ -19,17 +19,18 @@ fn on_a_terminal(folder: &std::path::Path, arguments: &str, is_enough: impl Fn(&
     let mut terminal = terminal.spawn().unwrap();
     let (mut said, mut part) = (Vec::new(), [0; 4096]);
     let mut output = terminal.stdout.take().unwrap();
-    loop {
+    let text = loop {
         let size = output.read(&mut part).unwrap();
         said.extend(&part[..size]);
         let text = String::from_utf8_lossy(&said).into_owned();
         if size == 0 || is_enough(&text) {
-            // Without its terminal the program ends.
-            let _ = terminal.kill();
-            terminal.wait().unwrap();
-            return text;
+            break text;
         }
-    }
+    };
+    // Without its terminal the program ends.
+    let _ = terminal.kill();
+    terminal.wait().unwrap();
+    text
 }
 
 #[test]
