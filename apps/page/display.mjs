@@ -29,6 +29,8 @@ export class Display {
         this.state = element("output", { class: "state", id: "state" });
         this.answer = element("output", { class: "answer", id: "answer" });
         this.findings = element("ul", { class: "findings", "aria-label": text("Flight data") });
+        /** Number of logs that were read, and that of the one that flew: the worker keeps the last one alone. */
+        [this.logs, this.flown_log] = [0, 0];
         /** What the curves of this flight are called when they are kept, or "". */
         this.call = () => "";
         this.keep = button("Keep this curve", () => this.keep_curves(), "keep");
@@ -77,7 +79,7 @@ export class Display {
     /** Shows another flight after a change of the language. */
     follow(other) {
         if (!other) return;
-        for (const name of ["now", "points", "path", "flown_text", "has_model", "log_name", "planned", "band"]) this[name] = other[name];
+        for (const name of ["now", "points", "path", "flown_text", "has_model", "log_name", "planned", "band", "logs", "flown_log"]) this[name] = other[name];
         this.pace.value = other.pace.value;
         this.curves.kept = other.curves.kept;
         this.choose(QUANTITIES.indexOf(other.quantity));
@@ -154,6 +156,7 @@ export class Display {
         const obstacle = this.obstacle();
         if (obstacle) return this.say(obstacle, true);
         [this.flown_text, this.points, this.now, this.has_model, this.band] = [this.scene.text, null, null, this.scene.get("options.error_model") === "rk4", null];
+        this.flown_log = this.logs;
         this.say("");
         try {
             await this.pilot.ask("start", { text: this.flown_text, pace: Number(this.pace.value) });
@@ -236,7 +239,7 @@ export class Display {
         if (is_flying && performance.now() > this.said?.until_ms) this.said = null;
         [this.start.disabled, this.pause.disabled, this.stop.disabled] = [is_flying, !is_flying && !is_paused, !is_flying && !is_paused];
         const { kept } = this.curves;
-        this.many.disabled = !this.points || now?.state <= PAUSED || now.has_unit;
+        this.many.disabled = !this.points || now?.state <= PAUSED || now.has_unit || this.flown_log !== this.logs;
         [this.keep.disabled, this.forget.hidden, this.findings.hidden] = [!this.points || kept.length === MOST_KEPT, kept.length === 0, log_of(this.scene) === null];
         this.pause.setAttribute("aria-pressed", String(is_paused));
         this.show_state();

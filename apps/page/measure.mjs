@@ -4,6 +4,8 @@
 const LONGEST_S = 600, BATCH = 4096;
 /** The flight is repeated until the steps took this time, and the least time counts: browsers optimise what runs for some time [ms]. */
 const LEAST_MS = 200;
+/** Most rounds of a flight of a few steps. */
+const MOST_ROUNDS = 200;
 /** Records in the piece, among which the largest error is looked for. */
 const RECORDS = 200;
 /** Algorithm and rate for the error of the sensors, whatever those of the scene are. */
@@ -36,8 +38,9 @@ export function measure(sins, own_scene, options) {
 /** What a step of a scene takes on this machine, and one of the same flight with ideal sensors [us]. */
 export function step_times(sins, scene) {
     const { rate_hz, flown_s } = sins.scene_get_setup(scene), flight = sins.scene_create_flight(scene), count = Math.floor(Math.min(flown_s, LONGEST_S) * rate_hz + 1e-6) + 1;
+    if (count < 2) return [];
     const made = [() => sins.scene_create_simulator(scene), () => sins.create(sins.scene_get_options(scene))], least_ms = [Infinity, Infinity], records = sins.array(sins.record, BATCH);
-    for (let sum_ms = 0; sum_ms < 2 * LEAST_MS; ) {
+    for (let sum_ms = 0, round = 0; sum_ms < 2 * LEAST_MS && round < MOST_ROUNDS; round++) {
         for (const [k, make] of made.entries()) {
             const sim = make(), { spent_ms } = fly(sins, sim, flight, { rate_hz, count, every: count, records });
             sim.close();

@@ -204,7 +204,7 @@ class Page {
             if (is_log) {
                 display.say(text("computing"));
                 const { samples, duration_s, findings } = await this.pilot.ask("log", { file, text: scene.faults.length ? null : scene.text });
-                [display.previewed, display.log_name] = [null, file.name];
+                [display.previewed, display.log_name, display.logs] = [null, file.name, display.logs + 1];
                 const [fault] = fly_log(scene, file.name);
                 display.show_findings(findings);
                 display.say(fault ? scene.told(fault) : text("log_read", file.name, samples, shown_s(duration_s)), Boolean(fault));

@@ -72,6 +72,7 @@ export function serve() {
         /** Reads a flight log from its file, by the [log] of a scene; text: null for a log with columns of the library's own names. */
         async log({ file, text }) {
             const bytes = await file.arrayBuffer();
+            asked++;
             const [parsed] = text ? with_scene(text, (scene) => sins.log_parse(bytes, scene)) : sins.log_parse(bytes, null);
             if (flight?.samples.log) end();
             log?.close();

@@ -377,7 +377,8 @@ pub unsafe extern "C-unwind" fn sins_identify_push_increments(
 /// stays until then. identified may be NULL. An hour takes about a second. Not for a real-time frame; the call takes up to 256 KB of stack.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: the record does not fit the path: it is of another motion or in other units, too short, has a sensor that
-/// is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, with the field of the increments if it is one, and the figure.
+/// is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, with the field of the increments if it is one, and a figure of
+/// its rate or force.
 /// SINS_ERROR_BAD_STATE: the path has less than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_identify_solve(

@@ -325,7 +325,7 @@ impl Finding {
             Kind::AttackNegative => "right for a helicopter, else check the sign of pitch",
             Kind::HeightUnit => "state the unit of the height",
             Kind::AttitudeHeld => "correct these attitudes, or set attitude = \"coordinated\" in [log]",
-            Kind::UnreadContradicts => "compare them, and correct [log] or the columns",
+            Kind::UnreadContradicts => "compare them, and correct the log, or its columns and units in [log]",
             Kind::AttitudeLate => {
                 "correct the time of the attitude, or set attitude = \"coordinated\" in [log]"
             }

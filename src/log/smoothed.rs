@@ -177,7 +177,7 @@ fn said(smoothed: &Smoothed, had_velocities: bool, rows: &[RowOfPath]) -> Vec<St
     if smoothed.is_coordinated {
         let [aeroplanes, gliders, hovering] = ASSUMED_ATTITUDE_COSTS;
         lines.push(format!(
-            "attitude: assumed, that of a coordinated flight without wind; CEP50 and R95 of an INS differ by up to {} % from those of the flight for aeroplanes, by {} % for gliders that circle and ships, and by a factor of {hovering} for what stops or hovers",
+            "attitude: assumed, that of a coordinated flight without wind; CEP50 and R95 of an INS differ in nine of ten cases by up to {} % from those of the flight for aeroplanes, up to {} % for gliders that circle and ships, and up to a factor of {hovering} for what stops or hovers",
             100.0 * aeroplanes,
             100.0 * gliders
         ));

@@ -112,7 +112,6 @@ fn what_a_record_has_beside_and_flies_is_said() {
             "speed (speed in km/h), course (course), ele (height in ft)",
         ),
         (igc("GSP", 3, |row| format!("{:03.0}", row[4] * 3.6)), "GSP (speed in km/h)"),
-        (igc("GSP", 5, |row| format!("{:05.0}", row[4] * 360.0)), "GSP (speed in km/h)"),
         (igc("TRT", 3, |row| format!("{:03.0}", row[5].floor())), "TRT (course)"),
         (
             fdr(
@@ -178,6 +177,7 @@ fn what_need_not_agree_is_no_contradiction() {
         gpx(|row| extension(&(0..200).map(|k| format!("<a{k}>{}</a{k}>", row[0])).collect::<String>())),
         igc("GSP", 3, |_| "---".to_owned()),
         igc("GSP", 4, |row| format!("{:04.0}", row[4])),
+        igc("GSP", 5, |row| format!("{:05.0}", row[4] * 360.0)),
         igc("TRM", 3, |row| format!("{:03.0}", (row[5] + 180.0) % 360.0)),
         fdr("DREF, sim/flightmodel/position/groundspeed 1.944\n", |row| format!("{:.1}", row[4])),
         fdr("DREF, sim/flightmodel/position/groundspeed\n", |row| format!("{:.1}", 3.0 * row[4])),
@@ -186,6 +186,24 @@ fn what_need_not_agree_is_no_contradiction() {
     for text in nothing {
         assert_eq!(said(&text), (String::new(), false), "{}", &text[text.len() - 400..]);
     }
+    // Without a value, and a dataref in each way of writing.
+    let agree = [
+        gpx(|row| format!("<speed>{:.2}</speed>", if row[0] % 3.0 == 0.0 { -1.0 } else { row[4] })),
+        gpx(|row| format!("<course>{:.1}</course>", if row[0] % 3.0 == 0.0 { -1.0 } else { row[5] })),
+        fdr("DREF sim/a 1.0\ndref\tsim/b 1.0\nDREF, sim/flightmodel/position/groundspeed 1.0\n", |row| {
+            format!("900, 900, {:.2}", row[4])
+        }),
+    ];
+    for text in agree {
+        let (notes, is_doubtful) = said(&text);
+        assert!(!is_doubtful && notes.contains("in agreement"), "{notes}");
+    }
+    // Rare rows cut turns short.
+    let is_kept = |(k, line): &(usize, &str)| !line.starts_with("<trkpt") || k % 5 == 0;
+    let dense = gpx(|row| format!("<speed>{:.2}</speed>", 1.5 * row[4]));
+    let rare: Vec<&str> = dense.lines().enumerate().filter(is_kept).map(|(_, line)| line).collect();
+    let (notes, is_doubtful) = said(&rare.join("\n"));
+    assert!(!is_doubtful && notes == "not read, and other than what flies: speed\n", "{notes}");
     let other = [
         gpx(|row| format!("<speed>{:.1}</speed>", row[4] * (1.2 + 0.01 * row[0].sin()))),
         gpx(|row| extension(&format!("<heading>{:.0}</heading>", (row[5] + 180.0) % 360.0))),

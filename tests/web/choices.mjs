@@ -90,6 +90,20 @@ test("many runs: the area is between the outermost but one of those that `sins e
     await write(page, '[flight]\nbuiltin = "rest"\nhours = 0.3\nrate_hz = 1\n[unit]\nstart = "nav"\n');
     await fly(page);
     assert.equal(await page.locator("[data-do=many]").isDisabled(), true);
+
+    // Not of a log that is no more: its errors would be those along another one.
+    const logged = (name, north) => {
+        const rows = Array.from({ length: 200 }, (_, k) => `${k},${45 + north * k * 1e-5},10,1000,0,${north},0,0,0,0`);
+        writeFileSync(`${out}/${name}`, `time_s,latitude_deg,longitude_deg,height_m,velocity_east_m_s,velocity_north_m_s,velocity_up_m_s,roll_deg,pitch_deg,heading_deg\n${rows.join("\n")}\n`);
+    };
+    logged("one.csv", 1);
+    logged("two.csv", 2);
+    await write(page, '[flight]\nbuiltin = "rest"\n[gyro]\nbias_sigma_deg_h = 1\n');
+    await drop(page, `${out}/one.csv`);
+    await fly(page);
+    assert.equal(await page.locator("[data-do=many]").isDisabled(), false);
+    await drop(page, `${out}/two.csv`);
+    await page.waitForFunction(() => document.querySelector("[data-do=many]").disabled);
 });
 
 test("a setting is found by words of its name, meaning and unit, in both languages, and set where it was found", async (context) => {

@@ -77,10 +77,10 @@ class Identified:
 
     def plot(self) -> "matplotlib.figure.Figure":
         """A figure of matplotlib: each parameter with its 95 % interval, in standard deviations of its prior; grey, the 95 % interval of the
-        prior; hollow, what the record does not show. Noise has no prior, and is not drawn."""
+        prior; hollow, what the record does not show. Noise has no prior, and the shift of the clock none about 0: they are not drawn."""
         from matplotlib.figure import Figure
 
-        drawn = [one for one in self.parameters if one.prior > 0]
+        drawn = [one for one in self.parameters if one.prior > 0 and one.name != "clock shift"]
         panels = [[one for one in drawn if one.name.split()[0] == sensor] for sensor in ("gyro", "accelerometer")]
         panels.insert(0, [one for one in drawn if not any(one in panel for panel in panels)])
         figure = Figure(figsize=(9, 0.3 * len(drawn) + 1.5), layout="constrained")

@@ -131,8 +131,8 @@ pub(super) fn other_forces(rows: &Rows) -> Option<Error> {
         return None;
     }
     let rule = Rule::SentenceWith(
-        "correlation of this sensor with the path, at least 0.8 if the path has its forces: the fixes of the path are few or late, its \
-         attitude and its positions are on two clocks, or the sensor is beyond its range. Correlation of the rates:",
+        "correlation of this sensor with the path, at least 0.8 if the path has its forces: the path has few or late fixes or an attitude on \
+         another clock, or the sensor is on another clock than the gyros, is another one, or jumps. Correlation of the rates:",
         rounded(rates, 4).into(),
     );
     Some(Error::invalid(SENSORS[sensor], correlation, rule))

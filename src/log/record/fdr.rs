@@ -45,7 +45,9 @@ pub fn record(text: &str) -> Result<Record, LogError> {
     // The number of each dataref that is compared, from 0.
     let (mut compared, mut datarefs) = (Vec::new(), 0);
     for (row, line) in lines {
-        if let Some(text) = row.strip_prefix("DREF,").filter(|_| rows.count() == 0) {
+        let after = row.get(..4).filter(|key| key.eq_ignore_ascii_case("DREF")).map(|_| &row[4..]);
+        let named = after.filter(|rest| rest.starts_with([',', ' ', '\t']) && rows.count() == 0);
+        if let Some(text) = named.map(|rest| rest.trim_start_matches([',', ' ', '\t'])) {
             if let Some(of) =
                 dataref(text, rows.names.len() + compared.len()).filter(|_| compared.len() < MOST)
             {

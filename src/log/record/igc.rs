@@ -54,16 +54,12 @@ impl Extensions {
         [0, 1, 2].map(|known| text(&self.digits[known]).unwrap_or_default())
     }
 
-    /// Speed over ground [km/h] and true track [deg] of a B record; NaN: it has none. Speeds have three digits, or two more for hundredths.
+    /// Speed over ground [km/h] and true track [deg] of a B record; NaN: it has none. Others than of three digits are whole
+    /// numbers in some recorders and hundredths in others.
     fn motion(&self, record: &str) -> [f64; 2] {
         self.motion.clone().map(|columns| {
             let text = record.get(columns).unwrap_or_default();
-            let size = match text.len() {
-                3 => 1.0,
-                5 => 0.01,
-                _ => f64::NAN,
-            };
-            whole(text).map_or(f64::NAN, |number| number * size)
+            whole(text).filter(|_| text.len() == 3).unwrap_or(f64::NAN)
         })
     }
 

@@ -39,6 +39,9 @@ const CONTRADICTS_DEG: f64 = 60.0;
 /// Least ratio of a speed to that of a record that contradicts, as a logarithm, of a quarter: below it noise and rare rows explain it.
 const RECORD_CONTRADICTS: f64 = 0.22;
 
+/// Longest time between two rows over which a track is told \[s\]: rarer ones cut circles and turns short.
+const DENSE_S: f64 = 2.0;
+
 /// Largest step of the numbers of a speed that widens what agrees, as a share of them.
 const COARSEST: f64 = 0.3;
 
@@ -57,6 +60,13 @@ const TELLS: f64 = 20.0;
 pub fn compare(column: &Unread, flown: &Flown<'_>) -> Said {
     let every = column.values.len().div_ceil(MOST_ROWS).max(1);
     let values = column.values.iter().step_by(every);
+    // A negative speed, or a course of -1, is none.
+    let is_missing = |value: f64| match column.quantity {
+        Some(SPEED) => value < 0.0,
+        Some(TRACK) => value == -1.0,
+        _ => false,
+    };
+    let values = values.filter(|[_, value]| !is_missing(*value));
     let rows = values.filter_map(|[time_s, value]| Some((*time_s, *value, flown.at(*time_s)?)));
     let rows: Vec<(f64, f64, There)> = rows.collect();
     let is_constant = rows.windows(2).all(|two| two[0].1 == two[1].1);
@@ -132,6 +142,11 @@ impl Compared<'_> {
         self.rows[self.rows.len() - 1].0 - self.rows[0].0
     }
 
+    /// Whether the rows show each turn.
+    fn is_dense(&self) -> bool {
+        median(self.rows.windows(2).map(|two| two[1].0 - two[0].0)).is_some_and(|step_s| step_s <= DENSE_S)
+    }
+
     /// The way over ground, and up and down [m].
     fn ways(&self) -> [f64; 2] {
         let steps = self.rows.windows(2).map(|two| displacement(&two[0].2, &two[1].2));
@@ -157,11 +172,11 @@ impl Compared<'_> {
             true => sizes.iter().all(|(_, size)| ln(ratio / size).abs() > RECORD_CONTRADICTS),
             false => OVER_GROUND.iter().any(|name| words.ends_with(name)),
         };
-        if !may_contradict {
+        if !may_contradict || !self.is_dense() {
             return Said::Unlike;
         }
         let stated = unit_of(Dimension::Speed, self.column.unit).map_or(1.0, |(_, size)| size);
-        Said::Contradicts(times("the speed that flies", ratio / stated, self.column.unit, Dimension::Speed).0)
+        Said::Contradicts(times("the speed that flies", ratio / stated, self.column, Dimension::Speed).0)
     }
 
     /// The smallest step of the numbers, by their median.
@@ -183,7 +198,7 @@ impl Compared<'_> {
         match self.course_deg() {
             None => Said::Nothing,
             Some(course_deg) if course_deg < COURSE_FITS_DEG => Said::Agrees("course".to_owned()),
-            Some(course_deg) if course_deg < CONTRADICTS_DEG => Said::Unlike,
+            Some(course_deg) if course_deg < CONTRADICTS_DEG || !self.is_dense() => Said::Unlike,
             Some(course_deg) => Said::Contradicts(format!("the track is {course_deg:.0} deg off its course")),
         }
     }

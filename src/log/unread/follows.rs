@@ -1,5 +1,6 @@
 //! How what flies follows the numbers of a column: velocities and heights.
 
+use super::Unread;
 use super::compare::{Compared, Said};
 use super::flown::There;
 use crate::base::math::{ln, sin_cos};
@@ -81,7 +82,7 @@ impl Compared<'_> {
             None => {
                 let stated = unit_of(Dimension::Speed, self.column.unit).map_or(1.0, |(_, size)| size);
                 let what = format!("the velocity {name} that flies");
-                contradicts_by_unit(times(&what, ratio / stated, self.column.unit, Dimension::Speed))
+                contradicts_by_unit(times(&what, ratio / stated, self.column, Dimension::Speed))
             }
         }
     }
@@ -134,7 +135,7 @@ impl Compared<'_> {
             None if correlation < FOLLOWS_WELL => Said::Unlike,
             None => {
                 let what = "the change of the height that flies";
-                contradicts_by_unit(times(what, ratio / stated, self.column.unit, Dimension::Length))
+                contradicts_by_unit(times(what, ratio / stated, self.column, Dimension::Length))
             }
         }
     }
@@ -164,14 +165,17 @@ fn contradicts_by_unit((sentence, is_explained): (String, bool)) -> Said {
 }
 
 /// What flies is so many times that of a column in a unit, and whether another unit explains this.
-pub fn times(what: &str, ratio: f64, unit: &str, dimension: Dimension) -> (String, bool) {
+pub fn times(what: &str, ratio: f64, column: &Unread, dimension: Dimension) -> (String, bool) {
+    let unit = column.unit;
     let of = unit_of(dimension, unit).map_or(1.0, |(_, size)| size);
     let find = |size_of: f64, is: &str| {
         let near = |(other, size): &(&str, f64)| *other != unit && ln(size_of / size).abs() < AT_UNIT;
         let found = units_of(dimension).filter_map(|other| unit_of(dimension, other)).find(near);
         found.map(|(other, _)| format!(" (is {is} in {other}?)"))
     };
-    let explained = find(ratio * of, "it").or_else(|| find(of / ratio, "what flies"));
+    // The units of a record's positions are defined.
+    let of_flown = || find(of / ratio, "what flies").filter(|_| !column.of_record);
+    let explained = find(ratio * of, "it").or_else(of_flown);
     let is_explained = explained.is_some();
     (format!("{what} is {} times that of it{}", short(ratio), explained.unwrap_or_default()), is_explained)
 }

@@ -230,13 +230,9 @@ impl FlightLog {
             note(1, format!("not read, and in agreement with what flies: {}", named(&agreeing)));
         }
         if !other.is_empty() {
-            note(
-                1,
-                format!(
-                    "not read, and other than what flies: {}; is one of them a quantity of [log]?",
-                    named(&other)
-                ),
-            );
+            // What a record has beside its positions cannot be named in [log].
+            let asks = if columns[0].of_record { "" } else { "; is one of them a quantity of [log]?" };
+            note(1, format!("not read, and other than what flies: {}{asks}", named(&other)));
         }
         if let Some((first, _)) = contradicting.first() {
             let what = first.quantity.map_or("", |quantity| match quantity {
