@@ -11,6 +11,9 @@ use crate::base::error::{Error, ErrorKind, Value};
 use crate::base::text::{About, Fault};
 use crate::base::text::{excerpt, nearest};
 
+/// The sentence of the fault of a text that has no flight.
+pub const NO_FLIGHT: &str = "[flight]: expected a flight: file, builtin or [[manoeuvre]]s";
+
 impl Reader<'_> {
     /// Checks whether the keys go together.
     pub(super) fn check_together(&mut self) {
@@ -18,7 +21,7 @@ impl Reader<'_> {
         let sources = [flight.key("file").is_some(), flight.key("builtin").is_some(), !self.items.is_empty()];
         let head = if flight.keys.is_empty() { &(0..0) } else { &flight.head };
         match sources.iter().filter(|is_there| **is_there).count() {
-            0 => self.faults.add(head, "[flight]: expected a flight: file, builtin or [[manoeuvre]]s"),
+            0 => self.faults.add(head, NO_FLIGHT),
             1 => {}
             _ => self.faults.add(head, "[flight]: expected only one of file, builtin and [[manoeuvre]]s"),
         }

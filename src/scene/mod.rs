@@ -32,6 +32,7 @@ mod written;
 pub(crate) use crate::base::text::MAX_TEXT_VALUE;
 pub use crate::base::text::{About, Fault, excerpt, listed, nearest, text_in_quotes};
 pub use builtin::{BUILTIN_SCENES, builtin};
+pub use examine::NO_FLIGHT;
 pub use fault::MAX_FAULTS;
 pub use limits::Limits;
 pub(crate) use list::key_line;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use sins::log::LogMapping;
-use sins::scene::Scene;
+use sins::scene::{NO_FLIGHT, Scene};
 
 use super::{read_scene, read_text};
 use crate::failure::Failure;
@@ -25,9 +25,6 @@ pub struct Settings {
     #[arg(skip)]
     pub hours: Option<String>,
 }
-
-/// The begin of a line with which a text sets a flight.
-const FLIGHTS: [&[u8]; 2] = [b"[flight]", b"[[manoeuvre]]"];
 
 /// The keys that `--preset` sets.
 const PRESETS: [&str; 3] = ["gyro.preset", "accelerometer.preset", "start.preset"];
@@ -56,9 +53,9 @@ impl Settings {
         let Some(path) = &self.columns else { return Ok(None) };
         // The file need not have a flight.
         let text = read_text(path)?;
-        let is_of_flight = |line: &[u8]| FLIGHTS.iter().any(|head| line.trim_ascii_start().starts_with(head));
-        let has_flight = text.split(|byte| *byte == b'\n').any(is_of_flight);
-        let flight = (!has_flight).then(|| "flight.file=log.csv".to_owned());
+        let faults = Scene::parse(&text).err().unwrap_or_default();
+        let has_no_flight = faults.iter().any(|fault| fault.sentence == NO_FLIGHT);
+        let flight = has_no_flight.then(|| "flight.file=log.csv".to_owned());
         let is_of_table = |text: &str| ["log.", "imu."].iter().any(|section| text.starts_with(section));
         let of_tables = self.set.iter().filter(|text| is_of_table(text.trim_start())).cloned();
         let set = flight.into_iter().chain(of_tables).collect();

@@ -245,3 +245,29 @@ fn a_log_of_held_fixes_is_smoothed_by_the_command_that_is_named() {
         "{said}"
     );
 }
+
+/// A file of `--columns` may have a flight, in whichever way TOML writes one, or none, also with a title of it.
+#[test]
+fn a_file_of_columns_may_have_a_flight() {
+    let folder = folder("flights");
+    save(&folder.join("foreign.csv"));
+    for flight in [
+        "",
+        "[flight]\ntitle = \"x\"\n",
+        "# [flight]\n",
+        "[flight]\nbuiltin = \"rest\"\n",
+        "[ flight ]\nbuiltin = \"rest\"\n",
+        "[\"flight\"]\nbuiltin = \"rest\"\n",
+        "flight.builtin = \"rest\"\n",
+        "flight = { builtin = \"rest\" }\n",
+        "\u{feff}[flight]\nbuiltin = \"rest\"\n",
+        "[[ manoeuvre ]]\nkind = \"straight\"\nduration_s = 60\n",
+    ] {
+        std::fs::write(folder.join("columns.toml"), format!("{flight}{MAPPING}")).unwrap();
+        let (code, said, errors) = run(&folder, &["log", "foreign.csv", "--columns", "columns.toml"]);
+        assert!(code == 0 && said.ends_with("nothing is doubtful\n"), "{flight}: {errors}");
+    }
+    std::fs::write(folder.join("columns.toml"), format!("flight = 3\n{MAPPING}")).unwrap();
+    let errors = rejected(&folder, &["log", "foreign.csv", "--columns", "columns.toml"]);
+    assert!(errors.contains("columns.toml:1:") && errors.contains("expected [flight]"), "{errors}");
+}
