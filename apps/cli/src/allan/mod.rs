@@ -37,7 +37,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         order.points.as_ref().map(|path| outputs.file(path, &records::POINTS.join(","))).transpose()?;
     let fit = order.fit().map(|path| outputs.file(&path, &records::COEFFICIENTS.join(","))).transpose()?;
     let scene = order.scene.as_ref().map(|path| outputs.file(path, NO_MARK)).transpose()?;
-    let mapping = order.imu_map.as_deref().map(imu_of_file).transpose()?;
+    let mapping = order.imu_map.as_deref().map(|path| imu_of_file(path, &[])).transpose()?;
     let source = Source {
         path: &order.log,
         columns: &order.columns,

@@ -27,7 +27,8 @@ pub struct Record {
 impl Record {
     /// Reads the record by the `[imu]` of the command line, or else that of `truth`.
     pub fn read(order: &Order, truth: &Scene) -> Result<Self, Failure> {
-        let of_file = order.imu_map.as_deref().map(imu_of_file).transpose()?;
+        let of_file =
+            order.imu_map.as_deref().map(|path| imu_of_file(path, &order.settings.set)).transpose()?;
         let of_truth = imu_of_scene(truth).filter(|_| order.imu_columns.is_empty());
         let source = Source {
             path: &order.imu,

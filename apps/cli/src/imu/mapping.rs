@@ -13,9 +13,11 @@ pub fn of_scene(scene: &Scene) -> Option<&LogMapping> {
     Some(&*scene.imu).filter(|mapping| **mapping != LogMapping::of_imu())
 }
 
-/// The `[imu]` of the file of --imu-map.
-pub fn of_file(path: &Path) -> Result<LogMapping, Failure> {
-    let scene = Settings { columns: Some(path.to_owned()), ..Settings::default() }.mappings()?;
+/// The `[imu]` of the file of --imu-map, with what `set` (--set) sets of `imu` in addition.
+pub fn of_file(path: &Path, set: &[String]) -> Result<LogMapping, Failure> {
+    let of_imu = set.iter().filter(|text| text.trim_start().starts_with("imu.")).cloned();
+    let settings = Settings { columns: Some(path.to_owned()), set: of_imu.collect(), ..Settings::default() };
+    let scene = settings.mappings()?;
     let what = "expected a section [imu] with the columns of the record, as gyro_x = { col = \"wx\", unit = \"deg/s\" }";
     scene.as_ref().and_then(of_scene).cloned().ok_or_else(|| Failure::of_file(path, &what))
 }

@@ -407,3 +407,28 @@ fn a_record_comes_from_standard_input() {
     let (code, ..) = run(&folder, &["identify", "-", "--imu", "imu.csv"]);
     assert_eq!(code, 2);
 }
+
+/// `--set imu.…` counts also beside the file of `--imu-map`, and a wrong one is named.
+#[test]
+fn a_setting_changes_a_description() {
+    let folder = folder("set");
+    let (sensors, imu) = {
+        let rows = rows(&folder);
+        let found = found(&folder, "imu.csv", &[]);
+        write(&folder, "foreign.csv", table(&NAMES.join(";"), ";", &rows));
+        found
+    };
+    let line = |key: &str, name: &str, unit: &str| format!("{key} = {{ col = \"{name}\"{unit} }}\n");
+    let keys = ["gyro_x", "gyro_y", "gyro_z", "accelerometer_x", "accelerometer_y", "accelerometer_z"];
+    let named = keys.iter().zip(1..).map(|(key, place)| {
+        let unit = if place < 4 { ", unit = \"rad\"" } else { ", unit = \"m/s\"" };
+        line(key, NAMES[place], unit)
+    });
+    write(&folder, "map.toml", format!("[imu]\n{}{}", line("time", "t", ""), named.collect::<String>()));
+    let map = ["--imu-map", "map.toml", "--set"];
+    let (own, written) = found(&folder, "foreign.csv", &[&map[..], &["imu.separator=semicolon"]].concat());
+    assert!(own == sensors && written != imu && written.contains("separator = \"semicolon\""), "{written}");
+    let order = [&["identify"], &TRUTH[..], &["--imu", "foreign.csv"], &map[..]].concat();
+    let errors = rejected(&folder, &[&order[..], &["imu.separator=colon"]].concat());
+    assert!(errors.contains("--set imu.separator=colon: "), "{errors}");
+}
