@@ -144,9 +144,11 @@ fn sentence(error: &Error, record: &Record, order: &Order) -> String {
         units.next().map(|(_, _, words)| format!("; {words}"))
     };
     let meant = match (error.field, value) {
-        ("record.velocity", Some(..0.0)) if is_size => {
-            "; --reversed reads them with the other sign".to_owned()
-        }
+        ("record.velocity", Some(..0.0)) if is_size => match (order.reversed, record.is_described) {
+            (true, _) => "; leave out --reversed".to_owned(),
+            (false, true) => "; --reversed reads them with the other sign, as another sign of the accelerometers in [imu] does".to_owned(),
+            (false, false) => "; --reversed reads them with the other sign".to_owned(),
+        },
         ("record.motion", _) => {
             format!(
                 "; is it of the same flight? It is {read_as}; --shift finds a short record on a long path"

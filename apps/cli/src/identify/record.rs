@@ -20,7 +20,9 @@ pub struct Record {
     pub increments: Vec<RecordedIncrement>,
     /// Sentences about its stamps.
     pub remarks: Vec<String>,
-    /// The `[imu]` by which it was read.
+    /// Whether it was read by an `[imu]` that was given.
+    pub is_described: bool,
+    /// The `[imu]` that reads it in the same way.
     pub mapping: Option<LogMapping>,
 }
 
@@ -75,6 +77,7 @@ impl Record {
         increments.dedup_by(|next, before| next.time_s <= before.time_s);
         let mapping = log.taken.map(|taken| if order.reversed { reversed(*taken) } else { *taken });
         let Log { name, interval_s, remarks, .. } = log;
-        Ok(Self { name, interval_s, columns, increments, remarks, mapping })
+        let is_described = source.mapping.is_some();
+        Ok(Self { name, interval_s, columns, increments, remarks, is_described, mapping })
     }
 }

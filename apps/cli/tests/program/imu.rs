@@ -11,9 +11,13 @@ const NAMES: [&str; 7] = ["t", "wx", "wy", "wz", "ax", "ay", "az"];
 
 /// The rows of a record of known sensors: time [s], angles [rad], velocities [m/s], as texts.
 fn rows(folder: &Path) -> Vec<Vec<String>> {
+    rows_of(folder, &TRUTH)
+}
+
+fn rows_of(folder: &Path, truth: &[&str]) -> Vec<Vec<String>> {
     let fly =
         ["--quiet", "--preset", "industrial", "--imu", "imu.csv", "-o", ".", "--set", "options.subsamples=1"];
-    done(folder, &[&["fly"], &TRUTH[..], &fly[..]].concat());
+    done(folder, &[&["fly"], truth, &fly[..]].concat());
     let text = read(folder.join("imu.csv"));
     let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();
     let place = |name: &str| {
@@ -406,6 +410,42 @@ fn a_record_comes_from_standard_input() {
     assert!(folder.join("imu_allan.html").exists());
     let (code, ..) = run(&folder, &["identify", "-", "--imu", "imu.csv"]);
     assert_eq!(code, 2);
+}
+
+/// Forces of the other sign: what is advised is not what was given, and mends it.
+#[test]
+fn a_sign_is_advised_where_it_mends() {
+    let folder = folder("sign");
+    let truth = ["racetrack", "--set", "flight.hours=0.15", "--set", "flight.rate_hz=50"];
+    let mut rows = rows_of(&folder, &truth);
+    for cell in rows.iter_mut().flat_map(|row| &mut row[4..]) {
+        *cell = format!("{}", -cell.parse::<f64>().unwrap());
+    }
+    write(&folder, "turned.csv", table(&NAMES.join(","), ",", &rows));
+    let order = |file, more: &[&'static str]| {
+        [&["identify"], &truth[..], &["--imu", file, "-o", "s.toml", "--force"], more].concat()
+    };
+    let columns = ["--imu-columns", "t=s,wx=rad,wy=rad,wz=rad,ax=m/s,ay=m/s,az=m/s"];
+    let errors = rejected(&folder, &order("turned.csv", &columns));
+    assert!(errors.contains("; --reversed reads") && !errors.contains("[imu]"), "{errors}");
+    let errors = rejected(&folder, &order("imu.csv", &["--reversed"]));
+    assert!(errors.contains("; leave out --reversed"), "{errors}");
+    let keys: String = (1..7)
+        .map(|place| {
+            let (sensor, unit) = if place < 4 { ("gyro", "rad") } else { ("accelerometer", "m/s") };
+            let axis = ["x", "y", "z"][(place - 1) % 3];
+            format!("{sensor}_{axis} = {{ col = \"{}\", unit = \"{unit}\" }}\n", NAMES[place])
+        })
+        .collect();
+    let keys = format!("[imu]\ntime = \"t\"\n{keys}");
+    write(&folder, "map.toml", &keys);
+    let errors = rejected(&folder, &order("turned.csv", &["--imu-map", "map.toml"]));
+    assert!(errors.contains("; --reversed reads") && errors.contains("in [imu] does"), "{errors}");
+    done(&folder, &order("turned.csv", &["--imu-map", "map.toml", "--reversed"]));
+    write(&folder, "map.toml", keys.replace("\"m/s\"", "\"m/s\", sign = -1"));
+    done(&folder, &order("turned.csv", &["--imu-map", "map.toml"]));
+    let errors = rejected(&folder, &order("turned.csv", &["--imu-map", "map.toml", "--reversed"]));
+    assert!(errors.contains("; leave out --reversed"), "{errors}");
 }
 
 /// `--set imu.…` counts also beside the file of `--imu-map`, and a wrong one is named.
