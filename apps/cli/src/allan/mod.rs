@@ -44,6 +44,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         flag: "--columns",
         rate_hz: order.rate_hz,
         mapping: mapping.as_ref(),
+        hint: "",
     };
     let log = Log { is_still: order.still, ..Log::read(&source)? };
     let analyses = Analysis::of_log(&log)?;

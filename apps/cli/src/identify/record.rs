@@ -32,22 +32,22 @@ impl Record {
         let of_file =
             order.imu_map.as_deref().map(|path| imu_of_file(path, &order.settings.set)).transpose()?;
         let of_truth = imu_of_scene(truth).filter(|_| order.imu_columns.is_empty());
+        let hint = match (&of_file, of_truth) {
+            (None, Some(_)) => format!(
+                "the [imu] of {} was used; --imu-map or --imu-columns reads the record in another way",
+                order.truth.display()
+            ),
+            _ => String::new(),
+        };
         let source = Source {
             path: &order.imu,
             columns: &order.imu_columns,
             flag: "--imu-columns",
             rate_hz: order.rate,
             mapping: of_file.as_ref().or(of_truth),
+            hint: &hint,
         };
-        let is_of_truth = of_file.is_none() && of_truth.is_some();
-        let log = Log::read(&source).map_err(|failure| match is_of_truth {
-            true => {
-                let truth = order.truth.display();
-                let hint = format!("the [imu] of {truth} was used; --imu-map or --imu-columns reads the record in another way");
-                Failure::of_kind(failure.kind(), format!("{failure}\n{hint}"))
-            }
-            false => failure,
-        })?;
+        let log = Log::read(&source)?;
         let of = |sensor: Sensor| log.series.iter().filter(move |series| series.sensor == sensor);
         let columns: Vec<String> =
             of(Sensor::Gyro).chain(of(Sensor::Accelerometer)).map(|series| series.name.clone()).collect();
@@ -61,7 +61,7 @@ impl Record {
                 columns.join(", "),
                 if source.mapping.is_some() { "[imu]" } else { "--imu-columns or [imu]" }
             );
-            return Err(Failure::of_line(&order.imu, 1, &what));
+            return Err(source.of_table(Failure::of_line(&order.imu, 1, &what)));
         };
         let sign = if order.reversed { -1.0 } else { 1.0 };
         let row = |k: usize| RecordedIncrement {

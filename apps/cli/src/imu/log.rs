@@ -60,7 +60,8 @@ impl Log {
             0 => Progress::working(what),
             bytes => Progress::counting(what, bytes as usize),
         };
-        Self::from_input(source, progress.reading(input)).map_err(|failure| begin(path, failure))
+        Self::from_input(source, progress.reading(input))
+            .map_err(|failure| source.of_table(begin(path, failure)))
     }
 
     fn from_input(source: &Source<'_>, input: impl Read) -> Result<Self, Failure> {
@@ -243,7 +244,14 @@ mod tests {
     use super::*;
 
     fn source(rate_hz: Option<f64>) -> Source<'static> {
-        Source { path: Path::new("log.csv"), columns: &[], flag: "--columns", rate_hz, mapping: None }
+        Source {
+            path: Path::new("log.csv"),
+            columns: &[],
+            flag: "--columns",
+            rate_hz,
+            mapping: None,
+            hint: "",
+        }
     }
 
     /// Reads a log with the rows `time(k)`, k.

@@ -32,6 +32,18 @@ pub struct Source<'a> {
     pub rate_hz: Option<f64>,
     /// `[imu]`, if one is given.
     pub mapping: Option<&'a LogMapping>,
+    /// What is said behind a failure of its table; empty: nothing.
+    pub hint: &'a str,
+}
+
+impl Source<'_> {
+    /// `failure` of the table, with what is said behind one.
+    pub fn of_table(&self, failure: Failure) -> Failure {
+        match self.hint {
+            "" => failure,
+            hint => Failure::of_kind(failure.kind(), format!("{failure}\n{hint}")),
+        }
+    }
 }
 
 /// A column: value = scale · unit · number + add.

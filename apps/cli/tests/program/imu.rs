@@ -146,6 +146,13 @@ fn a_record_with_other_names_and_units_is_described() {
         errors.contains("imu.time: no column t") && errors.contains("the [imu] of truth.toml was used"),
         "{errors}"
     );
+    let two = ["identify", "truth.toml", "--imu", "foreign.csv", "--set", "imu.gyro_z="];
+    let errors = rejected(&folder, &two);
+    assert!(errors.contains("found 2 and 3") && errors.contains("the [imu] of truth.toml"), "{errors}");
+    for none in ["none.csv", "."] {
+        let errors = rejected(&folder, &["identify", "truth.toml", "--imu", none]);
+        assert!(!errors.contains("the [imu] of"), "{errors}");
+    }
 }
 
 /// The `[imu]` of what was guessed by names, by columns of the command line, by a rate and with a sign reads the same record again, and its
