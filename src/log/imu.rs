@@ -122,7 +122,13 @@ impl<'m> Reading<'m> {
             reading.columns.push(column);
         }
         if reading.columns.is_empty() {
-            let what = "imu: expected the column of a gyro or an accelerometer, as gyro_x = \"NAME\"";
+            let is_beside = mapping.columns.iter().any(|mapped| !mapped.file.is_empty());
+            let what = match is_beside {
+                true => {
+                    "imu: all sensors are in files beside the record: at least one must be in the record itself"
+                }
+                false => "imu: expected the column of a gyro or an accelerometer, as gyro_x = \"NAME\"",
+            };
             return refused(what.to_owned());
         }
         Ok(reading)

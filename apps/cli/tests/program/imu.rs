@@ -250,6 +250,8 @@ fn what_is_wrong_in_a_description_is_named() {
         ),
         (other("gyro_w = \"wx\""), "gyro_w"),
         (other(""), "expected three columns of gyros and three of accelerometers, found 2 and 3"),
+        (good.replace(" }", ", file = \"b.csv\" }"), "at least one must be in the record itself"),
+        ("time = \"t\"\n".to_owned(), "imu: expected the column of a gyro or an accelerometer"),
         (good.replace("time = \"t\"\n", ""), "imu.time: expected the column of the times"),
         (good.replace("\"t\"", "{ col = \"t\", unit = \"h\" }"), "imu.time.unit: expected s, ms, us, ns"),
         (
