@@ -9,6 +9,7 @@ use super::rows::number_of;
 use super::text::decoded;
 use super::{Clock, ColumnFrom, LogError, LogMapping, TimeFormat, fault};
 use crate::base::memory::room_for_one_more;
+use crate::base::text::excerpt;
 
 /// A column of a record.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,6 +111,17 @@ impl<'m> Reading<'m> {
             }
             let Some(column) = column(names, line, mapping, quantity)? else { continue };
             let key = IMU_QUANTITIES[quantity].key;
+            let keys = reading.table.columns.iter().map(|other| other.key.as_str()).zip(&reading.columns);
+            let mut others = reading.time.iter().map(|time| ("imu.time", time)).chain(keys);
+            let is_same = |other: &Column| (other.place, other.part) == (column.place, column.part);
+            if let Some((other, _)) = others.find(|(_, other)| is_same(other)) {
+                let what = "both read the column";
+                let expected = "expected another column, or part of it, for one of them";
+                return refused(format!(
+                    "{other} and imu.{key}: {what} {}: {expected}",
+                    excerpt(&column.name)
+                ));
+            }
             reading.table.columns.push(ImuColumn {
                 key: format!("imu.{key}"),
                 is_gyro: key.starts_with("gyro"),

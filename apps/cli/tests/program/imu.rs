@@ -252,6 +252,18 @@ fn what_is_wrong_in_a_description_is_named() {
         (other(""), "expected three columns of gyros and three of accelerometers, found 2 and 3"),
         (good.replace(" }", ", file = \"b.csv\" }"), "at least one must be in the record itself"),
         ("time = \"t\"\n".to_owned(), "imu: expected the column of a gyro or an accelerometer"),
+        (
+            other("gyro_x = { col = \"wy\", unit = \"deg/s\" }"),
+            "imu.gyro_x and imu.gyro_y: both read the column wy: expected another",
+        ),
+        (
+            other("gyro_x = { col = 6, unit = \"deg/s\" }"),
+            "imu.gyro_x and imu.accelerometer_y: both read the column ay",
+        ),
+        (
+            other("gyro_x = { col = \"t\", unit = \"deg/s\" }"),
+            "imu.time and imu.gyro_x: both read the column t",
+        ),
         (good.replace("time = \"t\"\n", ""), "imu.time: expected the column of the times"),
         (good.replace("\"t\"", "{ col = \"t\", unit = \"h\" }"), "imu.time.unit: expected s, ms, us, ns"),
         (
