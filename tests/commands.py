@@ -35,6 +35,7 @@ ELSEWHERE = {
     "cargo rustc --release --lib --crate-type cdylib": "BUILT has its library",
     "cargo test --workspace": ".ci/run",
     "cargo test -p tests --features long-tests --test analysis smooth_cep": "a part of it runs in .ci/run",
+    "cargo test -p tests --test analysis smooth_assumed ": ".ci/run",
     "cc c_examples/minimal.c -o minimal ": "tests/packages.sh",
     "cc host.c -o host $(pkg-config ": "tests/install.sh",
     "cc host.c -o host -static $(pkg-config ": "tests/install.sh",

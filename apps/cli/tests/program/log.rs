@@ -250,7 +250,7 @@ fn a_log_without_attitude_flies_with_a_coordinated_one() {
     std::fs::write(folder.join("east.csv"), format!("{header}{east}")).unwrap();
     let said = done(&folder, &["log", "east.csv", "--coordinated"]);
     assert!(
-        said.contains("attitude: assumed, that of a coordinated flight without wind; CEP50 and R95 of an INS differ by up to 10 %")
+        said.contains("attitude: assumed, that of a coordinated flight without wind; CEP50 and R95 of an INS differ in nine of ten cases by up to 10 %")
             && said.ends_with("nothing is doubtful\n"),
         "{said}"
     );
