@@ -81,8 +81,9 @@ case $machine in
         ;;
 esac
 
-# The last letter of all functions that a library without features lacks.
-without lean "$(sed '1,/SINS_FUNCTIONS_SCENES(X)/d' include/sins_functions.h | sed -nE 's/^ *X\([^,]*, (sins_[a-z_]+)([a-z]), .*/s\/\\x00\1\2\\x00\/\\x00\1X\\x00\/g/p')"
+# All functions that a library without features lacks, with another letter before their last word, by which exports stay sorted: their
+# ends are also those of other names, as that of sins_scene_write is `write`.
+without lean "$(sed '1,/SINS_FUNCTIONS_SCENES(X)/d' include/sins_functions.h | sed -nE 's/^ *X\([^,]*, (sins_[a-z_]*)[a-z](_[a-z]+), .*/s\/\\x00\1[a-z]\2\\x00\/\\x00\1z\2\\x00\/g/p')"
 without old_engine 's/\x00sins_step\x00/\x00sins_steX\x00/g'
 without old_scenes 's/\x00sins_scene_prepare\x00/\x00sins_scene_preparX\x00/g'
 export_c='#if defined(__cplusplus)
