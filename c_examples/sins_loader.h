@@ -43,9 +43,9 @@ typedef void *sins_loader_address;
 
 typedef struct sins_loader {
     sins_loader_library library;
-    /* 0: a library without the feature "scenes"; those of sins_scene.h are NULL. */
+    /* 0: a library without the feature "scenes"; the functions of sins_scene.h are NULL. */
     int has_scenes;
-    /* 0: a library without the feature "identify"; those of sins_identify_... are NULL. */
+    /* 0: a library without the feature "identify"; the functions sins_identify_... are NULL. */
     int has_identify;
 #define SINS_LOADER_MEMBER(result, name, arguments) result(SINS_CALL *name) arguments;
     SINS_FUNCTIONS(SINS_LOADER_MEMBER)
