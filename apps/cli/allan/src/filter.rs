@@ -2,6 +2,8 @@
 
 use core::f64::consts::{PI, SQRT_2};
 
+use nalgebra::Complex;
+
 use super::interval::Point;
 use super::terms::Term;
 use super::{Estimate, Estimator};
@@ -25,56 +27,49 @@ const CLOSE: f64 = 1.15;
 const STEP: f64 = 0.98;
 const BANDWIDTHS: core::ops::Range<i32> = 0..310;
 
-/// Time over the time constant of a low-pass after which it has forgotten its input.
-const FADED: f64 = 30.0;
-
 /// Most rows over which a filter is looked for.
 const MOST_ROWS: usize = 1000;
 
 impl Filter {
-    /// Autocovariance at the distance `t_s` of white noise with the density 1 behind the filter.
-    fn covariance(self, t_s: f64, interval_s: f64) -> f64 {
+    /// Autocovariance of rows of white noise with the density 1 behind the filter, at distances of up to `most` rows; and the density of
+    /// the rows at frequency 0, to which what the filter leaves beyond half their rate is folded down.
+    fn covariances(self, most: usize, interval_s: f64) -> (Vec<f64>, f64) {
+        // A low-pass has rate / 2 (Re + Im) of the powers of one number.
+        let low_pass = |rate: f64, turn: f64| {
+            let one = Complex::new(1.0, 0.0);
+            let (sin, cos) = sin_cos(turn * interval_s);
+            let row = Complex::new(cos, sin) * exp(-rate * interval_s);
+            let of = |power: Complex<f64>| 0.5 * rate * (power.re + power.im);
+            let powers = core::iter::successors(Some(one), |power| Some(power * row));
+            let covariances: Vec<f64> = powers.map(of).take(most + 1).collect();
+            let density = interval_s * (covariances[0] + 2.0 * of(row / (one - row)));
+            (covariances, density)
+        };
         match self {
-            Self::FirstOrder(bandwidth_hz) => {
-                let rate = 2.0 * PI * bandwidth_hz;
-                0.5 * rate * exp(-rate * t_s)
-            }
+            Self::FirstOrder(bandwidth_hz) => low_pass(2.0 * PI * bandwidth_hz, 0.0),
             Self::SecondOrder(bandwidth_hz) => {
                 let rate = SQRT_2 * PI * bandwidth_hz;
-                let (sin, cos) = sin_cos(rate * t_s);
-                0.5 * rate * exp(-rate * t_s) * (cos + sin)
+                low_pass(rate, rate)
             }
             Self::Mean(rows) => {
                 let length_s = rows as f64 * interval_s;
-                (1.0 - t_s / length_s).max(0.0) / length_s
+                let covariance = |k| (1.0 - k as f64 / rows as f64).max(0.0) / length_s;
+                ((0..=most).map(covariance).collect(), 1.0)
             }
         }
     }
 
-    /// The density of rows of white noise with the density 1 behind the filter, at frequency 0: what the filter leaves beyond half the rate
-    /// of the rows is folded down to it.
-    fn density(self, interval_s: f64) -> f64 {
-        let rate = match self {
-            Self::FirstOrder(bandwidth_hz) => 2.0 * PI * bandwidth_hz,
-            Self::SecondOrder(bandwidth_hz) => SQRT_2 * PI * bandwidth_hz,
-            Self::Mean(_) => return 1.0,
-        };
-        let rows = (FADED / (rate * interval_s)).ceil() as usize;
-        let covariances = (1..=rows).map(|k| self.covariance(k as f64 * interval_s, interval_s));
-        interval_s * (self.covariance(0.0, interval_s) + 2.0 * covariances.sum::<f64>())
-    }
-
     /// σ²(τ) of means of so many rows each, in order, for white noise whose rows have the density 1 behind the filter.
     fn variances(self, factors: &[usize], interval_s: f64) -> Vec<f64> {
-        let density = self.density(interval_s);
         let rows = 2 * factors.last().copied().unwrap_or(0);
+        let (covariances, density) = self.covariances(rows, interval_s);
         // Var(Σ of n rows) = n c(0) + 2 Σ (n - k) c(k): it grows by c(0) + 2 Σ c(k) with each row.
         let mut of_sum = Vec::with_capacity(rows + 1);
-        let (mut sum, mut growth) = (0.0, self.covariance(0.0, interval_s));
-        for k in 1..=rows {
+        let (mut sum, mut growth) = (0.0, covariances[0]);
+        for covariance in &covariances[1..] {
             of_sum.push(sum);
             sum += growth;
-            growth += 2.0 * self.covariance(k as f64 * interval_s, interval_s);
+            growth += 2.0 * covariance;
         }
         of_sum.push(sum);
         let variance = |&factor: &usize| {
