@@ -129,6 +129,15 @@ test("what the lesson on the pole says is so: curves jump and distances do not, 
         is_near((268 - ended_s) * 0.25, 6, 0.1, "the end before the pole");
         return true;
     });
+    const ideal = { "gyro.preset": "ideal", "accelerometer.preset": "ideal" }, days = flown("pole", { "flight.repeat": 152, "output.every_s": 4, ...ideal });
+    is_near(days.time_s.at(-1) / 3600, 48, 1e-3, "the hours");
+    assert.ok(days.off_m.every((own) => own < 0.3), `${Math.max(...days.off_m)} m`);
+    const far_km = new Array(152).fill(Infinity), latitudes = days.of("truth_latitude_rad");
+    days.time_s.forEach((own, k) => {
+        const round = Math.min(Math.floor((152 * own) / days.time_s.at(-1)), 151);
+        far_km[round] = Math.min(far_km[round], (90 - (latitudes[k] * 180) / Math.PI) * 111.69);
+    });
+    assert.ok(far_km.every((own, k) => k % 2 === 1 || own < 1), far_km.join()); // 1 km: a record has 4 s
 });
 
 test("what the lesson on effects says is so: the flight decides which error counts", () => {
