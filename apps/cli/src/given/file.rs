@@ -12,6 +12,9 @@ use crate::failure::Failure;
 /// Number of bytes that show what a file is.
 pub const BEGIN: u64 = 4096;
 
+/// Most bytes of a log or a record that is read as a whole: a pipe may have no end.
+const MOST_BYTES: u64 = 1 << 34;
+
 /// Opens an input; a device is rejected.
 pub fn open(path: &Path) -> Result<File, Failure> {
     reject_device(path)?;
@@ -19,7 +22,7 @@ pub fn open(path: &Path) -> Result<File, Failure> {
 }
 
 /// Rejects a device: it has no end, or waits for a keyboard.
-pub fn reject_device(path: &Path) -> Result<(), Failure> {
+fn reject_device(path: &Path) -> Result<(), Failure> {
     if is_device(path) {
         return Err(Failure::of_file(path, &"is a device: expected a file or a pipe"));
     }
@@ -39,6 +42,20 @@ fn is_device(path: &Path) -> bool {
     {
         path.file_name().is_some_and(|name| crate::output::is_device_of_windows(&name.to_string_lossy()))
     }
+}
+
+/// The bytes of the log or record at `path`, as a whole.
+pub fn read_whole(path: &Path, input: impl Read) -> Result<Vec<u8>, Failure> {
+    read_at_most(MOST_BYTES, path, input)
+}
+
+fn read_at_most(most: u64, path: &Path, input: impl Read) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    input.take(most + 1).read_to_end(&mut bytes).map_err(|error| Failure::of_input(path, &error))?;
+    if bytes.len() as u64 > most {
+        return Err(Failure::of_file(path, &format!("has more than {most} bytes")));
+    }
+    Ok(bytes)
 }
 
 /// The text of a scene or of requirements, as a whole: a longer one is rejected, and not cut.
@@ -76,5 +93,17 @@ pub fn open_table(path: &Path) -> Result<(impl Read + use<>, u64), Failure> {
             Err(Failure::of_file(path, &format!("is {what}: expected a table of comma-separated values")))
         }
         _ => Ok((Cursor::new(begin).chain(file), size)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_input_without_an_end_is_rejected() {
+        let read = |input: &mut dyn Read| read_at_most(4, Path::new("-"), input);
+        assert_eq!(read(&mut &b"1234"[..]).unwrap(), b"1234");
+        assert!(read(&mut std::io::repeat(b'1')).unwrap_err().to_string().ends_with("has more than 4 bytes"));
     }
 }

@@ -1,13 +1,12 @@
 //! Flight logs from files, pipes and standard input.
 
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use sins::log::{FilesError, FlightLog, LogError, LogMapping, foreign, survey};
 use sins::scene::Scene;
 
 use super::beside::beside;
-use super::file::reject_device;
+use super::file::{open, read_whole};
 use super::kind::{FileKind, is_record};
 use super::text::is_log;
 use crate::failure::Failure;
@@ -79,12 +78,9 @@ pub fn of_log(path: &Path, error: LogError) -> Failure {
 
 /// The bytes of the log at `path`; "-" means standard input.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Failure> {
-    reject_device(path)?;
-    let read = if path == Path::new("-") {
-        let mut bytes = Vec::new();
-        std::io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
+    if path == Path::new("-") {
+        read_whole(path, std::io::stdin().lock())
     } else {
-        std::fs::read(path)
-    };
-    read.map_err(|error| Failure::of_input(path, &error))
+        read_whole(path, open(path)?)
+    }
 }

@@ -26,7 +26,7 @@ use sins::{Error, ErrorKind};
 
 pub use arguments::{Hours, SceneArguments};
 pub use beside::beside;
-pub use file::{open_table, read_text};
+pub use file::{open_table, read_text, read_whole};
 pub use gaps::{Gaps, find as find_gaps, unit_of_interval};
 pub use judged::{Json, Trust, Verdict, judge_of, sentence};
 pub use kind::{FileKind, is_record};

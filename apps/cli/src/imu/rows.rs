@@ -10,12 +10,11 @@ use super::begin::{Plain, plain};
 use super::quantity::{self, Quantity, Stamp, Wanted, choose, mapped};
 use super::taken::{self, Guess};
 use crate::failure::Failure;
-use crate::given::{beside, of_log, read_bytes};
+use crate::given::{beside, of_log, read_bytes, read_whole};
 use crate::table::{Chosen, Table};
 
-/// Largest number of rows of a record, as of the library, and of bytes of one that `[imu]` describes, which is read as a whole.
+/// Largest number of rows of a record, as of the library.
 pub const MOST_ROWS: usize = 100_000_000;
-const MOST_BYTES: u64 = 1 << 34;
 
 /// Part of an interval by which the stamps of two files may differ.
 const APART: f64 = 0.1;
@@ -137,13 +136,7 @@ impl Rows {
         if source.rate_hz.is_some() {
             (taken.time_format, taken.rate_hz) = (TimeFormat::Row, source.rate_hz);
         }
-        let mut bytes = Vec::new();
-        let read = input.take(MOST_BYTES + 1).read_to_end(&mut bytes);
-        read.map_err(|error| Failure::of_input(path, &error))?;
-        if bytes.len() as u64 > MOST_BYTES {
-            let what = format!("more than {MOST_BYTES} bytes, the most of a record that is read by [imu]");
-            return Err(Failure::of_file(path, &what));
-        }
+        let bytes = read_whole(path, input)?;
         let mut table = ImuTable::parse(&bytes, &taken, "").map_err(|error| of_log(path, error))?;
         drop(bytes);
         if table.lines.len() > MOST_ROWS {
