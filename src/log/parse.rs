@@ -41,6 +41,8 @@ impl FlightLog {
         log.map(|log| Self { mapping: kept(mapping), ..log })
     }
 
+    // Of its own stack frame: a mapping takes several KB, and a table takes the most of the stack.
+    #[inline(never)]
     fn of_record(record: &FlightRecord, mapping: &LogMapping) -> Result<Self, LogError> {
         let mapping = record.complete(mapping)?;
         let names = StringRecord::from(record.names);
@@ -172,6 +174,8 @@ fn with_later_header(error: LogError, text: &[u8], mapping: &LogMapping) -> LogE
 }
 
 /// The mapping as a log keeps it.
+// Of its own stack frame, as `of_record`.
+#[inline(never)]
 pub fn kept(mapping: &LogMapping) -> Option<Box<LogMapping>> {
     (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone()))
 }
