@@ -1,6 +1,6 @@
 //! Writes the structs of the table of sensor parameters, and the header with its counterparts in other languages.
 //!
-//! `SINS_WRITE_HEADER=1 cargo check --features header` renews the committed headers; without the variable it compares them with the
+//! `SINS_WRITE_HEADER=1 cargo check -p header` renews the committed headers; without the variable it compares them with the
 //! sources. The files for other languages go to the folder `bindings` beside the library.
 
 #[path = "build/ada.rs"]
@@ -60,7 +60,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 fn main() {
-    // Cargo runs this script in the folder of its package: the library, or tests/inside.
+    // Cargo runs this script in the folder of its package: the library, build/header or tests/inside.
     let root = Path::new(if Path::new("build.rs").exists() { "." } else { "../.." });
     for source in [
         "build.rs",
@@ -97,7 +97,7 @@ fn main() {
     write(&out.join("sizes.rs"), &outputs.size_checks);
     write(&out.join("status_names.rs"), &outputs.status_names);
     let renews = env::var_os("SINS_WRITE_HEADER").is_some();
-    assert!(!renews || cfg!(feature = "header"), "SINS_WRITE_HEADER needs --features header");
+    assert!(!renews || cfg!(feature = "header"), "SINS_WRITE_HEADER is for: cargo check -p header");
     let generated = out.join("generated");
     let _ = fs::remove_dir_all(&generated); // files of an earlier build
     for (path, text) in outputs.headers {
@@ -109,7 +109,7 @@ fn main() {
             let is_same = fs::read_to_string(&committed).is_ok_and(|old| old == text);
             assert!(
                 is_same,
-                "{path} is not what src/abi declares: SINS_WRITE_HEADER=1 cargo check --features header"
+                "{path} is not what src/abi declares: SINS_WRITE_HEADER=1 cargo check -p header"
             );
         }
     }

@@ -12,6 +12,9 @@ use super::read::{FLAT, doc, is_public};
 use super::template::{Part, Source, Template};
 use super::text::broken;
 
+/// Of cbindgen. The package is build/header.
+const SETTINGS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../cbindgen.toml");
+
 /// Longest line of a prototype.
 const WIDTH: usize = 118;
 
@@ -46,8 +49,7 @@ pub fn write(template: &Template, interface: &Interface, sources: &[Source], wor
 
 /// cbindgen's text for a source, in the form that each compiler of C and C++ takes.
 fn declarations(source: &Path, interface: &Interface) -> String {
-    let mut config =
-        Config::from_file(Path::new("build/cbindgen.toml")).expect("build/cbindgen.toml is read");
+    let mut config = Config::from_file(Path::new(SETTINGS)).expect("build/cbindgen.toml is read");
     config.export.include = interface.type_names().map(str::to_owned).collect();
     let bindings =
         Builder::new().with_config(config).with_src(source).generate().expect("cbindgen reads src/abi");

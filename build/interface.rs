@@ -26,7 +26,7 @@ const HEADERS: [(&str, &str); 6] = [
 pub type Output = (&'static str, String);
 
 pub struct Outputs {
-    /// Committed: the headers, if the feature `header` is on, and the tables of functions and structs for hosts and tests.
+    /// Committed: the headers, if the package is build/header, and the tables of functions and structs for hosts and tests.
     pub headers: Vec<Output>,
     /// For hosts in other languages: beside the library.
     pub bindings: Vec<Output>,

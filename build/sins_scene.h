@@ -39,7 +39,7 @@ extern "C" {
 
 /* Flight logs, and the samples of a scene. */
 
-@scene/log scene/samples
+@scene/log_file scene/log scene/samples
 
 /* Scenes in flight. */
 

@@ -148,6 +148,8 @@
     X(sins_status, sins_scene_get_value, (const sins_scene *scene, const char *path, char *buffer, size_t capacity, size_t *needed)) \
     X(sins_status, sins_scene_set_values, (sins_scene *scene, const char *values)) \
     X(sins_status, sins_scene_set_items, (sins_scene *scene, const char *list, const char *items)) \
+    X(sins_status, sins_scene_log_file_name, (const sins_scene *scene, size_t index, char *buffer, size_t capacity, size_t *needed)) \
+    X(sins_status, sins_scene_give_log_file, (sins_scene *scene, const char *name, const char *text, size_t size)) \
     X(sins_status, sins_log_parse, (const char *text, size_t size, const sins_scene *scene, sins_log **log, sins_fault *fault)) \
     X(sins_status, sins_log_create, (const sins_flight_sample *samples, size_t count, sins_log **log)) \
     X(sins_status, sins_log_get_info, (const sins_log *log, sins_log_info *info)) \

@@ -514,6 +514,26 @@ SINS_API sins_status SINS_CALL sins_scene_set_items(sins_scene *scene, const cha
 
 /* Flight logs, and the samples of a scene. */
 
+/**
+ * Reads the name of file `index` beside the log, from 0: the files that the [log] of the scene names (file = "ATT.csv"), in alphabetical
+ * order. buffer, capacity and needed as in sins_scene_write().
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: there are no more.
+ */
+SINS_API sins_status SINS_CALL sins_scene_log_file_name(const sins_scene *scene, size_t index, char *buffer,
+    size_t capacity, size_t *needed);
+
+/**
+ * Gives the scene the contents of a file beside the log, before sins_log_parse() joins it with the log; name is one of
+ * sins_scene_log_file_name(). The bytes are copied, and kept until the scene is destroyed, the file is given again, or a file is given
+ * after the [log] has ceased to name this one. Not for a real-time frame: it allocates.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: the [log] of the scene names no such file; what was given before is unchanged.
+ * SINS_ERROR_OUT_OF_MEMORY: no memory for the bytes. SINS_ERROR_BAD_STATE: as sins_scene_parse().
+ */
+SINS_API sins_status SINS_CALL sins_scene_give_log_file(sins_scene *scene, const char *name, const char *text,
+    size_t size);
+
 /** A flight log in memory. A handle is a checked key, as that of sins_sim, and never taken for one. */
 typedef struct sins_log sins_log;
 
@@ -554,6 +574,9 @@ typedef struct sins_log_info {
  * The text may also be a flight record: IGC, GPX 1.0 or 1.1, or FDR version 4 of X-Plane. Its path is smoothed; its attitude is that of
  * the FDR, of the [log], or else that of a coordinated flight without wind. Its samples are those of the path, 50 a second unless the
  * scene sets log.smooth_rate_hz, and several have the line of one fix. While it is fitted it allocates some KB a fix more.
+ *
+ * Where the [log] names columns of other files, their values are interpolated onto the times of the rows of the text; the host gives each
+ * file to the scene before, by sins_scene_give_log_file(). A fault in such a file has line 0, and its sentence begins with name and line.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
  * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.

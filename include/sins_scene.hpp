@@ -127,6 +127,21 @@ public:
         done(sins_scene_set_text(handle_, which, detail::terminated(text, "text")));
     }
 
+    /* The names of the files beside the log, each of which give_log_file() gives before Log(scene, text) joins them. */
+    std::vector<std::string> log_file_names() const {
+        std::vector<std::string> names;
+        std::size_t needed = 0;
+        while (sins_scene_log_file_name(handle_, names.size(), nullptr, 0, &needed) == SINS_OK) {
+            std::vector<char> name(needed);
+            done(sins_scene_log_file_name(handle_, names.size(), name.data(), name.size(), nullptr));
+            names.push_back(name.data());
+        }
+        return names;
+    }
+    void give_log_file(const std::string &name, const std::string &text) {
+        done(sins_scene_give_log_file(handle_, detail::terminated(name, "name"), text.data(), text.size()));
+    }
+
     std::vector<sins_planned_failure> failures() const {
         std::size_t count = 0;
         done(sins_scene_get_failure_count(handle_, &count));

@@ -23,5 +23,5 @@ git ls-files README.md docs/*.md tests/commands.py | xargs sed -i -E "s/sins-$wa
 grep -qxF "## $new" CHANGELOG.md || sed -i "0,/^## /s//## $new\n\n&/" CHANGELOG.md
 
 cargo update --quiet --workspace # in Cargo.lock
-SINS_WRITE_HEADER=1 cargo check --quiet --features header
+SINS_WRITE_HEADER=1 cargo check --quiet -p header
 git diff --stat

@@ -129,7 +129,7 @@ mod tests {
             let committed = std::fs::read_to_string(project.join(name)).unwrap_or_default();
             assert!(
                 std::fs::read_to_string(&path).unwrap() == committed,
-                "{name} is not what src/abi declares; renew it with: SINS_WRITE_HEADER=1 cargo check --features header"
+                "{name} is not what src/abi declares; renew it with: SINS_WRITE_HEADER=1 cargo check -p header"
             );
         }
     }

@@ -102,7 +102,10 @@ macro_rules! kinds {
         const _: () = {
             let (numbers, mut place) = ([$($code),*], 0);
             while place < numbers.len() {
-                assert!(numbers[place] == place + $flat::KINDS.len() - numbers.len());
+                assert!(
+                    numbers[place] == place + $flat::KINDS.len() - numbers.len(),
+                    "the rows of the kinds stand in the order of their numbers, without a gap: a new one is the last"
+                );
                 place += 1;
             }
         };

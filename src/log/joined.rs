@@ -82,9 +82,24 @@ fn files(mapping: &LogMapping) -> Result<Files, LogError> {
     Ok(files)
 }
 
+impl LogMapping {
+    /// The names of the files beside the log that are read, in alphabetical order.
+    pub fn files(&self) -> Vec<&str> {
+        let is_read = |group: &usize| !(*group == ATTITUDE && self.is_coordinated);
+        let keys = (0..GROUPS.len()).filter(is_read).flat_map(|group| GROUPS[group].1);
+        let files = keys.map(|key| self.columns[place(key)].file.as_str());
+        let mut names: Vec<&str> = files.filter(|file| !file.is_empty()).collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+}
+
 /// The mapping of the groups that stand in `file`; what it lacks is 0.
-fn part_of(mapping: &LogMapping, files: &Files, file: &str) -> LogMapping {
-    let mut part = mapping.clone();
+// Of its own stack frame, as `of_record`.
+#[inline(never)]
+fn part_of(mapping: &LogMapping, files: &Files, file: &str) -> Box<LogMapping> {
+    let mut part = Box::new(mapping.clone());
     let mut clear = |key: &str| {
         let is_needed = ["latitude", "longitude", "height", "roll", "pitch", "heading"].contains(&key);
         let from = if is_needed { ColumnFrom::Constant(0.0) } else { ColumnFrom::OwnName };
@@ -265,16 +280,14 @@ fn notes_of(name: &str, log: &FlightLog) -> impl Iterator<Item = Fault> {
 impl FlightLog {
     /// As [`FlightLog::parse_with`], of a log whose `mapping` names files beside it: `read` gives the contents of each by its name. Their
     /// values are interpolated onto the times of the log's own rows.
-    pub fn parse_files<E>(
+    pub fn parse_files<T: AsRef<[u8]>, E>(
         text: &[u8],
         mapping: &LogMapping,
-        mut read: impl FnMut(&str) -> Result<Vec<u8>, E>,
+        mut read: impl FnMut(&str) -> Result<T, E>,
     ) -> Result<Self, FilesError<E>> {
         let of_log = |error| FilesError::Of(String::new(), Box::new(error));
         let files = files(mapping).map_err(of_log)?;
-        let mut names: Vec<&String> = files.iter().filter(|file| !file.is_empty()).collect();
-        names.sort();
-        names.dedup();
+        let names = mapping.files();
         let whole = |log: Self| Self { mapping: kept(mapping), ..log };
         let parse = |text: &[u8], file: &str| {
             let part = part_of(mapping, &files, file);
@@ -293,8 +306,8 @@ impl FlightLog {
         let mut others = Vec::new();
         for name in names {
             let text = read(name).map_err(FilesError::Unread)?;
-            let of_other = |error| FilesError::Of(name.clone(), Box::new(error));
-            let (other, part) = parse(&text, name).map_err(of_other)?;
+            let of_other = |error| FilesError::Of(name.to_owned(), Box::new(error));
+            let (other, part) = parse(text.as_ref(), name).map_err(of_other)?;
             notes.extend(notes_of(name, &other));
             others.push(Other::new(name, other, &part, log.samples[0].time_s, &files).map_err(of_other)?);
         }

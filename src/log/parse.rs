@@ -6,7 +6,7 @@ use super::columns::{columns, only_place, unread};
 use super::foreign::foreign;
 use super::lines::{cells, check_line, names_of, next_row, reader, single_blanks};
 use super::reading::Reading;
-use super::record::Record;
+use super::record::FlightRecord;
 use super::rows::Cells;
 use super::text::decoded;
 use super::unread::Evidence;
@@ -26,7 +26,7 @@ impl FlightLog {
     pub fn parse_with(text: &[u8], mapping: &LogMapping) -> Result<Self, LogError> {
         let text = decoded(text).map_err(LogError::Memory)?;
         let kind = foreign(text.as_bytes());
-        let record = kind.map(|kind| Record::read(kind, &text)).transpose()?.flatten();
+        let record = kind.map(|kind| FlightRecord::read(kind, &text)).transpose()?.flatten();
         let log = match &record {
             Some(record) => Self::of_record(record, mapping),
             None => Self::of_table(text.as_bytes(), mapping).map_err(|error| match (&error, kind) {
@@ -41,7 +41,9 @@ impl FlightLog {
         log.map(|log| Self { mapping: kept(mapping), ..log })
     }
 
-    fn of_record(record: &Record, mapping: &LogMapping) -> Result<Self, LogError> {
+    // Of its own stack frame: a mapping takes several KB, and a table takes the most of the stack.
+    #[inline(never)]
+    fn of_record(record: &FlightRecord, mapping: &LogMapping) -> Result<Self, LogError> {
         let mapping = record.complete(mapping)?;
         let names = StringRecord::from(record.names);
         let columns = columns(&names, 0, &mapping)?;
@@ -172,6 +174,8 @@ fn with_later_header(error: LogError, text: &[u8], mapping: &LogMapping) -> LogE
 }
 
 /// The mapping as a log keeps it.
+// Of its own stack frame, as `of_record`.
+#[inline(never)]
 pub fn kept(mapping: &LogMapping) -> Option<Box<LogMapping>> {
     (*mapping != LogMapping::default()).then(|| Box::new(mapping.clone()))
 }

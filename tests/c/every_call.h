@@ -340,6 +340,8 @@ static inline void every_scene_call(sins_scene *scene, sins_sim *sim, every_call
     EVERY_CALL(sins_scene_prepare_ensemble(scene, ensemble, 0.0, flight_sample));
     EVERY_CALL(sins_scene_create_unit(scene, &made_unit));
     EVERY_CALL(sins_scene_update_unit(scene, unit, sim, 0.0));
+    EVERY_CALL(sins_scene_log_file_name(scene, 0, (char *)bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_give_log_file(scene, "patrol", (char *)bytes, 1));
     EVERY_CALL(sins_play_create(scene, NULL, &made_play));
     CHECK(made_sim == NULL || sins_destroy(made_sim) == SINS_OK);
     CHECK(made_flight == NULL || sins_flight_destroy(made_flight) == SINS_OK);
@@ -757,6 +759,9 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL(sins_scene_set_values(scene, NULL));
     EVERY_CALL(sins_scene_set_items(scene, NULL, ""));
     EVERY_CALL(sins_scene_set_items(scene, "failure", NULL));
+    EVERY_CALL(sins_scene_log_file_name(scene, 0, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_scene_give_log_file(scene, NULL, (char *)bytes, 1));
+    EVERY_CALL(sins_scene_give_log_file(scene, "patrol", NULL, 1));
     EVERY_CALL(sins_log_parse(NULL, 1, scene, &made_log, fault));
     EVERY_CALL(sins_log_parse((char *)bytes, 1, scene, NULL, fault));
     EVERY_CALL(sins_log_create(NULL, 2, &made_log));

@@ -23,6 +23,7 @@ static sins_record records[SAMPLES];
 static sins_budget_row rows[64];
 static unsigned char snapshot[SINS_SNAPSHOT_MAX_SIZE], play_snapshot[SINS_PLAY_SNAPSHOT_MAX_SIZE];
 static char text[65536];
+static const char other_file[] = "time_s,r,pitch_deg,heading_deg\n0,1,0,0\n1,2,0,0\n";
 static char *bottom;
 
 static void find_bottom(void)
@@ -360,6 +361,11 @@ static void call_with_scenes(void)
     MEASURE(sins_log_destroy(log));
     CHECK(TRY(sins_log_create(log_samples, 1, &log)) == SINS_ERROR_INVALID_ARGUMENT);
     TRY(sins_log_parse(scene_text, sizeof scene_text - 1, NULL, &log, &fault));
+    CHECK(sins_scene_set_values(scene, "log.roll = { col = \"r\", file = \"r.csv\" }") == SINS_OK);
+    MEASURE(sins_scene_log_file_name(scene, 0, text, sizeof text, NULL));
+    MEASURE(sins_scene_give_log_file(scene, "r.csv", other_file, sizeof other_file - 1));
+    MEASURE(sins_log_parse(scene_log_text, sizeof scene_log_text - 1, scene, &log, NULL));
+    MEASURE(sins_log_destroy(log));
     CHECK(sins_destroy(sim) == SINS_OK && sins_flight_destroy(flight) == SINS_OK && sins_scene_destroy(scene) == SINS_OK);
 }
 

@@ -126,6 +126,14 @@ static void scenes() {
     CHECK(!scene.set_items("manoeuvre", "[[manoeuvre]]\nkind = \"leap\"\n") && !scene.faults().empty());
     CHECK(!scene.set_items("sensor", "") && !scene.faults().empty());
     CHECK(error_of([&] { scene.value("gyro.none"); }).status() == SINS_ERROR_INVALID_ARGUMENT);
+
+    sins::Scene joined("[flight]\nfile = \"log.csv\"\n[log]\nroll = { col = \"r\", file = \"other.csv\" }\n");
+    CHECK(joined.log_file_names() == std::vector<std::string>(1, "other.csv"));
+    const std::string log = "time_s,latitude_deg,longitude_deg,height_m\n0,48,11,0\n1,48,11,0\n";
+    CHECK(names(error_of([&] { sins::Log(joined, log); }), "other.csv is not given"));
+    joined.give_log_file("other.csv", "time_s,r,pitch_deg,heading_deg\n0,1,0,0\n1,2,0,0\n");
+    CHECK(sins::Log(joined, log).info().samples == 2);
+    CHECK(error_of([&] { joined.give_log_file("log.csv", log); }).status() == SINS_ERROR_INVALID_ARGUMENT);
 }
 
 static void snapshots() {

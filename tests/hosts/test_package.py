@@ -91,6 +91,24 @@ class Flights(unittest.TestCase):
             run = sins.fly(record, gyro="tactical", every_s=1)
             self.same(run, program(str(record), "--set", "gyro.preset=tactical", "--set", "output.every_s=1"))
 
+    def test_files_beside_the_log_are_joined(self):
+        """Flies as the table that has all columns."""
+        rows = [[0.1 * k, 48, 11 + 1e-6 * k, 500, 1, 2, 90] for k in range(50)]
+        quantities = ("time", "latitude", "longitude", "height", "roll", "pitch", "heading")
+        with tempfile.TemporaryDirectory() as folder:
+            for name, columns in {"POS": (0, 1, 2, 3), "ATT": (0, 4, 5, 6), "ALL": range(7)}.items():
+                lines = [",".join(quantities[place] for place in columns)] + [",".join(str(row[place]) for place in columns) for row in rows]
+                (pathlib.Path(folder) / f"{name}.csv").write_text("\n".join(lines) + "\n")
+            runs = []
+            for name, part in (("POS", ', file = "ATT.csv"'), ("ALL", "")):
+                keys = [f'{key} = {{ col = "{key}"{part if place > 3 else ""} }}\n' for place, key in enumerate(quantities)]
+                scene = pathlib.Path(folder) / f"{name}.toml"
+                scene.write_text(f'[flight]\nfile = "{name}.csv"\n[log]\n{"".join(keys)}')
+                runs.append(sins.fly(scene, every_s=1, **GRADE))
+            self.assertTrue((runs[0].records == runs[1].records).all())
+            (pathlib.Path(folder) / "ATT.csv").unlink()
+            self.assertRaisesRegex(FileNotFoundError, "ATT.csv", lambda: sins.fly(pathlib.Path(folder) / "POS.toml"))
+
     def test_a_trajectory_flies_as_the_log(self):
         flown = PROJECT / "c_examples/flights/fighter_aerobatics.csv"
         frame = log(flown.name)

@@ -343,7 +343,7 @@ fn a_judge_passes_over_the_attitude_of_a_coordinated_log() {
 
 const NOT_BESIDE: &str = "log.roll.file: expected the name of a file beside the log, without a folder";
 
-/// The program joins files; the library reads one text, and says so.
+/// `parse_files` joins files; `parse_with` reads one text, and says so.
 #[test]
 fn a_column_of_another_file_is_written_and_not_read() {
     let scene = |keys: &str| Scene::parse(format!("[flight]\nfile = \"a.csv\"\n[log]\n{keys}\n").as_bytes());

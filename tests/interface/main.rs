@@ -23,6 +23,8 @@ mod header;
 #[cfg(feature = "scenes")]
 mod host_machine;
 #[cfg(feature = "scenes")]
+mod log_files;
+#[cfg(feature = "scenes")]
 mod log_mapping;
 #[cfg(feature = "scenes")]
 mod play;

@@ -7,6 +7,7 @@ use sins::scene::{BUILTIN_SCENES, Fault, FlightSource, MAX_FAULTS, MAX_TEXT, Sce
 
 use crate::support::draws::Draws;
 use crate::support::project_file;
+use crate::support::runs::unusual_options;
 
 /// The text of an example scene.
 fn example(name: &str) -> String {
@@ -53,6 +54,14 @@ fn a_scene_that_is_written_reads_back_to_the_bit() {
         assert_eq!(read(&written), scene, "{written}");
         assert_eq!(read(&written).write(), written);
     }
+}
+
+/// An option without a key is lost when a scene is written. The compiler asks for each option in `unusual_options`.
+#[test]
+fn every_option_has_a_key() {
+    let flight = FlightSource::Log("a.csv".to_owned()); // only the samples of a log have a stated period
+    let scene = Scene { flight, options: unusual_options(), ..Scene::default() };
+    assert_eq!(read(&scene.write()).options, scene.options);
 }
 
 /// Any size from 1e-12 to 1e3, with all digits.

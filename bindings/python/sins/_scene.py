@@ -273,8 +273,12 @@ class Scene:
         self.setup = c.scene_get_setup(self.handle)
         self.text: str = c.scene_write(self.handle)
         if self.log is None and self.setup.flight == c.SCENE_FLIGHT_LOG:
-            with open(os.path.join(folder, c.scene_get_text(self.handle, c.SCENE_TEXT_LOG)), "rb") as file:
+            path = os.path.join(folder, c.scene_get_text(self.handle, c.SCENE_TEXT_LOG))
+            with open(path, "rb") as file:
                 text = file.read()
+            for name in _all(lambda index: c.scene_log_file_name(self.handle, index)):
+                with open(os.path.join(os.path.dirname(path), name), "rb") as file:
+                    c.scene_give_log_file(self.handle, name, file.read())
             self.log = in_background(lambda: c.log_parse(text, self.handle)[0])
             warn(finding for finding in findings(self.log, c.scene_get_options(self.handle)) if finding.level != "note")
         self.info = c.scene_get_samples(self.handle, self.log)

@@ -69,6 +69,22 @@ fn time_mark() -> u64 {
     SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default().as_nanos() as u64
 }
 
+/// For the model checker Kani (`cargo kani`). Untried: compiled, but never run by Kani.
+#[cfg(kani)]
+mod proofs {
+    use super::*;
+
+    /// A key gives back what it is made of, so no two are equal.
+    #[kani::proof]
+    fn a_key_gives_back_its_kind_slot_and_generation() {
+        let [generation, slot, kind]: [usize; 3] = kani::any();
+        kani::assume(generation <= LAST_GENERATION && slot < SLOTS && kind < 1 << KIND_BITS);
+        let key = key_of(generation, slot, kind);
+        assert!(kind_of(key) == kind && slot_of(key) == slot);
+        assert!(key >> (SLOT_BITS + KIND_BITS) == generation);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -39,6 +39,8 @@ pub(in crate::abi) struct SceneText {
     pub scene: Option<Box<Scene>>,
     /// The faults of the text, or of the change of the scene that was rejected last.
     pub faults: Vec<Fault>,
+    /// The names and contents of files beside the log.
+    pub files: Vec<(String, Vec<u8>)>,
 }
 
 /// A scene in flight, whose simulator and unit have handles of their own, which the host may use too; therefore no `scene::Play`, which

@@ -4,9 +4,10 @@ use core::ffi::c_char;
 use std::sync::Arc;
 
 use super::fault::sins_fault;
-use super::{sins_scene, with_scene};
+use super::log_file::read_log;
+use super::{ROOM as SCENE_ROOM, ROOM_OF_ITEM, sins_scene, text_has_faults};
 use crate::abi::boundary::handle::{hand_out, with_object};
-use crate::abi::boundary::tables::LOGS;
+use crate::abi::boundary::tables::{LOGS, SCENES, SceneText};
 use crate::abi::boundary::{enter, enter_without_simulator, remember_as};
 use crate::abi::failure::{
     CallError, SINS_ERROR_BAD_HANDLE, SINS_ERROR_INVALID_ARGUMENT, SINS_OK, sins_status,
@@ -69,6 +70,9 @@ const ROOM: usize = 1 << 20;
 /// the FDR, of the [log], or else that of a coordinated flight without wind. Its samples are those of the path, 50 a second unless the
 /// scene sets log.smooth_rate_hz, and several have the line of one fix. While it is fitted it allocates some KB a fix more.
 ///
+/// Where the [log] names columns of other files, their values are interpolated onto the times of the rows of the text; the host gives each
+/// file to the scene before, by sins_scene_give_log_file(). A fault in such a file has line 0, and its sentence begins with name and line.
+///
 /// SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
 /// sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
 /// SINS_ERROR_OUT_OF_MEMORY: no memory for the samples, or 4096 logs exist.
@@ -80,7 +84,7 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
     log: *mut *mut sins_log,
     fault: *mut sins_fault,
 ) -> sins_status {
-    let parse = |scene: &Scene| {
+    let parse = |scene: &Scene, files: &[_]| {
         if log.is_null() {
             return Err(CallError::null("log"));
         }
@@ -89,7 +93,7 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
         // SAFETY: the host's promise.
         let text = unsafe { bytes_of(text.cast(), size, "text")? };
         probe(ROOM)?;
-        match scene.read_log(text) {
+        match read_log(scene, text, files) {
             // SAFETY: the host's promise.
             Ok(found) => unsafe { hand_out(&LOGS, log, "log", || Ok(Arc::new(found))) },
             Err(LogError::Memory(error)) => Err(error.into()),
@@ -113,10 +117,14 @@ pub unsafe extern "C-unwind" fn sins_log_parse(
     if scene.is_null() {
         enter_without_simulator(|| {
             probe(ROOM)?;
-            parse(&Scene::default())
+            parse(&Box::<Scene>::default(), &[])
         })
     } else {
-        with_scene(scene, |scene| parse(scene))
+        with_object(&SCENES, scene, |SceneText { scene, files, .. }| {
+            let scene = scene.as_ref().ok_or_else(text_has_faults)?;
+            probe(SCENE_ROOM + ROOM_OF_ITEM * scene.items())?;
+            parse(scene, files)
+        })
     }
 }
 

@@ -5,6 +5,7 @@ mod fault;
 mod flight;
 mod key;
 mod log;
+mod log_file;
 mod play;
 mod play_saved;
 mod prepare;
@@ -19,6 +20,7 @@ pub use fault::sins_fault;
 pub use flight::*;
 pub use key::*;
 pub use log::*;
+pub use log_file::*;
 pub use play::*;
 pub use play_saved::*;
 pub use prepare::*;
@@ -63,7 +65,7 @@ fn probe_text(own: usize, size: usize) -> Result<(), Error> {
 }
 
 fn of_scene(scene: Scene) -> SceneText {
-    SceneText { scene: Some(Box::new(scene)), faults: Vec::new() }
+    SceneText { scene: Some(Box::new(scene)), faults: Vec::new(), files: Vec::new() }
 }
 
 /// Runs `body` on the scene of a handle, as the inside of an exported function; it may copy the scene and write it.
@@ -128,7 +130,7 @@ pub(in crate::abi) fn change_scene(
     size: usize,
     body: impl FnOnce(&mut Scene) -> Result<(), Rejected>,
 ) -> sins_status {
-    with_object(&SCENES, scene, |SceneText { scene, faults }| {
+    with_object(&SCENES, scene, |SceneText { scene, faults, .. }| {
         let Some(scene) = scene else { return Err(text_has_faults().into()) };
         let items = ROOM_OF_ITEM * scene.items();
         probe_text(ROOM + items + ROOM_OF_BYTE * (ROOM + items).min(MAX_TEXT), size)?;
@@ -198,7 +200,7 @@ pub unsafe extern "C-unwind" fn sins_scene_parse(
                     Err(faults) => {
                         let faults = of_text(faults)?;
                         status = SINS_SCENE_HAS_FAULTS;
-                        SceneText { scene: None, faults }
+                        SceneText { scene: None, faults, files: Vec::new() }
                     }
                 })
             })?

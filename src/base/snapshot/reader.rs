@@ -98,6 +98,30 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// For the model checker Kani, as in `abi::boundary::key`. Untried.
+#[cfg(kani)]
+mod proofs {
+    use super::*;
+
+    /// Every header of a group before any bytes: a word has the size that the header states, in its shortest form, or is rejected.
+    #[kani::proof]
+    #[kani::unwind(9)]
+    fn every_header_of_a_group_is_read_or_rejected() {
+        let bytes: [u8; 2 + 8 * GROUP] = kani::any();
+        let length: usize = kani::any();
+        kani::assume(length <= bytes.len());
+        let mut from = Reader { rest: &bytes[..length], sizes: 0, left: 0, field: "" };
+        for place in 0..GROUP {
+            let Ok(word) = from.word() else { return };
+            match u16::from_le_bytes([bytes[0], bytes[1]]) >> (2 * place) & 3 {
+                NOTHING => assert!(word == 0),
+                BYTE => assert!((1..256).contains(&word)),
+                size => assert!(size == WHOLE && word >= 256),
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::envelope::{HEADER_BYTES, seal};

@@ -1,7 +1,7 @@
 //! Flight data recorder files of X-Plane (FDR), version 4: keywords, then rows of time, longitude, latitude, altitude, heading, pitch,
 //! roll, and of what the keywords DREF name, which is compared with what flies.
 
-use super::Record;
+use super::FlightRecord;
 use crate::base::text::excerpt;
 use crate::log::quantity::{SPEED, TRACK};
 use crate::log::unread::{MOST, Unread};
@@ -22,7 +22,7 @@ const DATAREFS: [(&str, usize, &str); 4] = [
 const FOOT_M: f64 = 0.3048;
 
 /// The rows of a text.
-pub fn record(text: &str) -> Result<Record, LogError> {
+pub fn record(text: &str) -> Result<FlightRecord, LogError> {
     // The first line says how lines end.
     let mut lines = text.lines().map(str::trim).zip(1..).skip(1).filter(|(line, _)| !line.is_empty());
     let (version, line) = lines.next().unwrap_or(("", 2));
@@ -32,7 +32,7 @@ pub fn record(text: &str) -> Result<Record, LogError> {
         return Err(fault(line, 1, format!("FDR version {}: {what}", excerpt(version))));
     }
     let is_row = |line: &str| line.starts_with(|letter: char| letter.is_ascii_digit());
-    let mut rows = Record::new(&[
+    let mut rows = FlightRecord::new(&[
         "time_s",
         "latitude_deg",
         "longitude_deg",

@@ -4,7 +4,7 @@
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-use super::{Record, left_out};
+use super::{FlightRecord, left_out};
 use crate::base::memory::{room, room_for_one_more};
 use crate::base::text::excerpt;
 use crate::log::unread::{MOST, Unread};
@@ -61,7 +61,7 @@ struct Fixes {
 const COLUMNS: [&str; 4] = ["time_s", "latitude_deg", "longitude_deg", "height_m"];
 
 /// The rows of a text.
-pub fn record(text: &str) -> Result<Record, LogError> {
+pub fn record(text: &str) -> Result<FlightRecord, LogError> {
     // The reader keeps names, and quotes them in its errors.
     drop(room::<u8>(QUOTES * text.len()).map_err(LogError::Memory)?);
     let Fixes { found, without_time, segments, beside, .. } = fixes(text.as_bytes())?;
@@ -70,7 +70,7 @@ pub fn record(text: &str) -> Result<Record, LogError> {
         return Err(fault(0, 1, format!("{what} {without_time} without time")));
     }
     let has_elevation = found.iter().any(|fix| fix.elevation_m.is_some());
-    let mut rows = Record::new(&COLUMNS);
+    let mut rows = FlightRecord::new(&COLUMNS);
     rows.beside = beside;
     let mut without_elevation = 0;
     for Fix { line, time_s, latitude_deg, longitude_deg, elevation_m, beside } in found {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Record, left_out};
+use super::{FlightRecord, left_out};
 use crate::base::memory::room_for_one_more;
 use crate::base::text::excerpt;
 use crate::log::quantity::{SPEED, TRACK};
@@ -85,7 +85,7 @@ struct Fix {
 }
 
 /// The rows of a text.
-pub fn record(text: &str) -> Result<Record, LogError> {
+pub fn record(text: &str) -> Result<FlightRecord, LogError> {
     let mut clock = Clock::new(&LogMapping { time_format: TimeFormat::Hms, ..LogMapping::default() });
     let (mut fixes, mut without_position, mut extensions) = (Vec::new(), 0, Extensions::default());
     // Records that are cut: how many, the line of the first, and its length.
@@ -127,7 +127,8 @@ pub fn record(text: &str) -> Result<Record, LogError> {
         let what = "no fix: expected B records with the validity A, found";
         return Err(fault(0, 1, format!("{what} {without_position} with V")));
     }
-    let mut rows = Record::new(&["time_s", "latitude_deg", "longitude_deg", "height_m", "pressure_height_m"]);
+    let mut rows =
+        FlightRecord::new(&["time_s", "latitude_deg", "longitude_deg", "height_m", "pressure_height_m"]);
     rows.beside = Extensions::columns(rows.names);
     let without_gnss = fixes.iter().filter(|fix| fix.gnss_m.is_none()).count() as u64;
     // The path has no step where GNSS heights begin or end.

@@ -12,8 +12,8 @@ use super::{LogError, fault};
 use crate::base::memory::room_for_one_more;
 use crate::base::records::rounded;
 
-/// The rows of a record.
-pub struct Record {
+/// The rows of a flight record.
+pub struct FlightRecord {
     /// Names of the columns; the first is the time.
     pub names: &'static [&'static str],
     /// What else it has of the motion, in the columns behind these.
@@ -26,7 +26,7 @@ pub struct Record {
     lines: Vec<u64>,
 }
 
-impl Record {
+impl FlightRecord {
     /// The record of this kind in a text; `None`: files of this kind are no records.
     pub fn read(kind: Foreign, text: &str) -> Result<Option<Self>, LogError> {
         match kind {

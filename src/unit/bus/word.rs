@@ -163,3 +163,26 @@ pub fn steps(format: &Format, word: u32) -> Result<i64, Error> {
 pub fn reversed(word: u32) -> u32 {
     word & !0xff | u32::from((word as u8).reverse_bits())
 }
+
+/// For the model checker Kani, as in `abi::boundary::key`. Untried.
+#[cfg(kani)]
+mod proofs {
+    use super::super::table::LABELS;
+    use super::*;
+
+    /// Every word of each label: a digit is rejected, or the number is within the limits, and its own word says it again.
+    #[kani::proof]
+    #[kani::unwind(8)]
+    fn every_word_of_each_label_is_read_or_rejected() {
+        let place: usize = kani::any();
+        let word: u32 = kani::any();
+        kani::assume(place < LABELS.len());
+        let format = &LABELS[place].format;
+        let Ok(found) = steps(format, word) else { return };
+        let (low, high) = limits(format);
+        assert!(low <= found && found <= high);
+        let again = encode(LABELS[place].number, format, 0, found, WordStatus::Normal);
+        assert!(steps(format, again) == Ok(found) && status(format, again) == WordStatus::Normal);
+        assert!(again as u8 == LABELS[place].number && !has_even_parity(again));
+    }
+}

@@ -62,7 +62,7 @@ impl Host {
 
     pub fn change_scene(&mut self) {
         let input = &mut self.input;
-        match input.below(6) {
+        match input.below(7) {
             0 | 1 => {
                 let values = some_values(input);
                 self.changing_scene(|scene| set_values(scene, &values));
@@ -70,6 +70,7 @@ impl Host {
             2 => self.change_items(),
             3 => self.change_manoeuvres(),
             4 => self.change_text(),
+            5 => self.give_log_file(),
             _ => self.read_failures(),
         }
     }
@@ -97,6 +98,31 @@ impl Host {
         let items = CString::new(items).unwrap_or_default();
         self.changing_scene(|scene| call!(sins_scene_set_items(scene, list.as_ptr(), items.as_ptr())));
         check_faults(self.scene);
+    }
+
+    /// Reads a log whose roll stands in another file, and gives this file, or one that no `[log]` names.
+    fn give_log_file(&mut self) {
+        let values = c"log.roll = { col = \"r\", file = \"r.csv\" }";
+        if self.input.one_in(2) {
+            self.changing_scene(|scene| call!(sins_scene_set_values(scene, values.as_ptr())));
+        }
+        let scene = self.scene;
+        let mut names = Vec::new();
+        while let Some(name) = written(|buffer, capacity, needed| {
+            call!(sins_scene_log_file_name(scene, names.len(), buffer, capacity, needed))
+        }) {
+            names.push(name);
+        }
+        let given = self.input.pick(&[c"r.csv", c"other.csv", c""]);
+        let text =
+            self.input.pick(&["time_s,r,pitch_deg,heading_deg\n0,1,0,0\n1,2,0,0\n", "time_s,r\n0,x\n", ""]);
+        let status = call!(sins_scene_give_log_file(scene, given.as_ptr(), text.as_ptr().cast(), text.len()));
+        let is_named = names.iter().any(|name| name == given.to_bytes());
+        assert_eq!(status == SINS_OK, is_named, "{given:?}");
+        let (log, mut made) =
+            ("time_s,latitude_deg,longitude_deg,height_m\n0,48,11,0\n1,48,11,0\n", null_mut());
+        call!(sins_log_parse(log.as_ptr().cast(), log.len(), scene, &mut made, &mut init()));
+        assert!(made.is_null() || call!(sins_log_destroy(made)) == SINS_OK);
     }
 
     fn change_manoeuvres(&mut self) {

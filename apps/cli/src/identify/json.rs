@@ -5,10 +5,10 @@ use sins::analysis::identify::sheet::{Sheet, sheets};
 use sins::analysis::identify::{Estimate, Identified};
 
 use super::check;
-use super::record::Record;
+use super::record::SensorRecord;
 
 /// The text of an object.
-pub fn text(record: &Record, found: &Identified, checked: Option<&Check>) -> String {
+pub fn text(record: &SensorRecord, found: &Identified, checked: Option<&Check>) -> String {
     let exchange: Vec<String> = found.axes.exchange.row_iter().map(|row| list(row.iter().copied())).collect();
     let rotation: Vec<String> = found.rotation.row_iter().map(|row| list(row.iter().copied())).collect();
     let mounting: Vec<String> = found.mounting.iter().map(estimate).collect();

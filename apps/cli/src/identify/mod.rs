@@ -27,7 +27,7 @@ use crate::progress::Progress;
 use crate::terminal::{print, quoted};
 use crate::units::{rounded, significant, time_text};
 use crate::written;
-use record::Record;
+use record::SensorRecord;
 
 /// Identifies the sensors of the record of `order`, writes the scene and prints the table.
 pub fn run(order: &Order) -> Result<(), Failure> {
@@ -41,7 +41,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     inputs.extend(order.imu_map.clone());
     let output = order.output();
     let file = Outputs::new(&inputs, order.force).file(&output, MARK)?;
-    let record = Record::read(order, &given.scene)?;
+    let record = SensorRecord::read(order, &given.scene)?;
     let (found, checked) = match &of_check {
         Some(of_check) => {
             let (found, checked) = identify_and_check(order, &given, &record, &request, of_check)?;
@@ -91,7 +91,7 @@ fn flown<T>(
 fn identify_and_check(
     order: &Order,
     given: &Given,
-    record: &Record,
+    record: &SensorRecord,
     request: &Request,
     of_check: &CheckRequest,
 ) -> Result<(Identified, Check), Failure> {
@@ -126,7 +126,7 @@ const UNITS: [(&str, f64, &str); 12] = [
 const NEAR: f64 = 0.1;
 
 /// What makes the record unfit, with what was probably meant.
-fn sentence(error: &Error, record: &Record, order: &Order) -> String {
+fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
     let value = error.value.map(|value| value.as_f64());
     let read_as = format!(
         "read as {} of rows at {} Hz",

@@ -10,8 +10,8 @@ use super::command::Order;
 use crate::failure::Failure;
 use crate::imu::{Log, Sensor, Source, imu_of_file, imu_of_scene, reversed};
 
-/// A record.
-pub struct Record {
+/// A record of gyros and accelerometers.
+pub struct SensorRecord {
     /// Name of its file.
     pub name: String,
     pub interval_s: f64,
@@ -26,7 +26,7 @@ pub struct Record {
     pub mapping: Option<LogMapping>,
 }
 
-impl Record {
+impl SensorRecord {
     /// Reads the record by the `[imu]` of the command line, or else that of `truth`.
     pub fn read(order: &Order, truth: &Scene) -> Result<Self, Failure> {
         let of_file =

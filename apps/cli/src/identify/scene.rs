@@ -8,13 +8,18 @@ use sins::log::LogMapping;
 use sins::scene::{FlightSource, Scene};
 
 use super::command::Order;
-use super::record::Record;
+use super::record::SensorRecord;
 use crate::failure::{Failure, printable};
 use crate::given::Given;
 use crate::imu::imu_text;
 
 /// The text of the scene. What was not seen is a comment.
-pub fn text(order: &Order, given: &Given, record: &Record, found: &Identified) -> Result<String, Failure> {
+pub fn text(
+    order: &Order,
+    given: &Given,
+    record: &SensorRecord,
+    found: &Identified,
+) -> Result<String, Failure> {
     let mapping = record.mapping.as_ref().map_or(String::new(), |mapping| {
         format!(
             "\n# How the record was read; --imu-map with this file reads another one in the same way.\n{}",

@@ -6,7 +6,7 @@ use sins::analysis::identify::text::{axes, of_noise, seen, with_interval};
 use sins::analysis::identify::{Estimate, Identified};
 use sins::units::DEG;
 
-use super::record::Record;
+use super::record::SensorRecord;
 use crate::given::Given;
 use crate::units::{significant, time_text};
 
@@ -14,7 +14,7 @@ use crate::units::{significant, time_text};
 const CLOSE_S: f64 = 10.0;
 
 /// The table.
-pub fn text(given: &Given, record: &Record, found: &Identified) -> String {
+pub fn text(given: &Given, record: &SensorRecord, found: &Identified) -> String {
     let rate = significant(1.0 / record.interval_s);
     let used = time_text(found.blocks as f64 * found.block_s);
     let remarks: String = record.remarks.iter().map(|remark| format!("; {remark}")).collect();
@@ -54,7 +54,7 @@ fn section(Sheet { lines, noises, .. }: &Sheet) -> String {
     text
 }
 
-fn clock(record: &Record, found: &Identified) -> String {
+fn clock(record: &SensorRecord, found: &Identified) -> String {
     if !found.offset_s.is_seen() {
         return "not seen in this motion, taken for that of the path; more turns would show it".to_owned();
     }
