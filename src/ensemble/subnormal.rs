@@ -5,10 +5,10 @@ use crate::ensemble::Ensemble;
 use crate::mechanization::VerticalMode;
 use crate::sensors::{PARAMETERS, Sensor, StreamKey};
 use crate::signal::RUNS;
+use crate::simulator::{ErrorParameters, ErrorSource, Options, Simulator};
 use crate::simulator::{rows, with_time};
 use crate::truth::FlightSample;
 use crate::truth::flight::{Flight, FlightStart, Manoeuvre};
-use crate::{ErrorParameters, ErrorSource, Options, Simulator};
 
 /// The smallest numbers, 1 to 4 units in the last place; and numbers whose squares are 0, or subnormal.
 const SIZES: [f64; 7] = [5e-324, 1e-323, 1.5e-323, 2e-323, 1e-310, 1e-162, 1e-157];

@@ -7,10 +7,10 @@ use super::{
     Failing, FlightPath, FlightSource, PlannedAction, PlannedFailure, PlannedUpdate, Scene, Temperature,
     Updated,
 };
-use crate::Options;
 use crate::base::error::Error;
 use crate::log::LogColumn;
 use crate::sensors::{FailureFields, SensorOutput};
+use crate::simulator::Options;
 use crate::truth::flight::{FlightStart, Manoeuvre, ManoeuvreFields, Sinusoid};
 
 /// A scene while it is read or written. A number that may be missing is NaN.

@@ -52,8 +52,8 @@ use crate::analysis::budget::BudgetEffect;
 use crate::base::error::{Error, Rule, check_integer};
 use crate::base::memory::room;
 use crate::sensors::{Failure, SensorOutput};
+use crate::simulator::{ErrorParameters, Options, Simulator};
 use crate::truth::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
-use crate::{ErrorParameters, Options, Simulator};
 
 /// Largest size of a scene's text [bytes].
 pub const MAX_TEXT: usize = 1 << 20;

@@ -4,8 +4,8 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 
 use super::Scene;
 use super::schedule::{LATEST_START_S, MAX_ITEMS, ROUNDING, TIMES_S};
-use crate::Simulator;
 use crate::base::error::{Error, Rule, check_range, check_within};
+use crate::simulator::Simulator;
 use crate::unit::{AlignmentKind, Mode, Power, Unit, UnitParameters};
 
 /// The unit of a scene.

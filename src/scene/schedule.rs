@@ -1,12 +1,12 @@
 //! What a scene does over the time of its flight: temperature, failures and updates.
 
 use super::{Failing, PlannedFailure, Scene, Temperature};
-use crate::Simulator;
 use crate::base::error::{Error, Rule, check_range, check_within};
 use crate::ensemble::Ensemble;
 use crate::errors::NavigationErrors;
 use crate::errors::correction::Correction;
 use crate::sensors::{Failure, SensorOutput, StreamKey};
+use crate::simulator::Simulator;
 use crate::truth::{FlightSample, Pushed};
 
 impl Failing {

@@ -4,7 +4,6 @@ use nalgebra::Vector3;
 
 use super::Scene;
 use super::schedule::{FliesScene, MAX_ITEMS, ROUNDING, TIMES_S};
-use crate::Simulator;
 use crate::base::error::{Error, check_range, check_ranges, check_within};
 use crate::base::snapshot::codes;
 use crate::earth::Geodetic;
@@ -12,6 +11,7 @@ use crate::errors::NavigationErrors;
 use crate::errors::correction::Correction;
 use crate::mechanization::VerticalMode;
 use crate::sensors::StreamKey;
+use crate::simulator::Simulator;
 use crate::unit::Unit;
 
 /// What an update corrects. The numbers are part of the bit-for-bit guarantee: never reuse one.

@@ -118,8 +118,8 @@ impl Navigator {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Simulator;
     use crate::earth::Geodetic;
+    use crate::simulator::Simulator;
     use nalgebra::{Quaternion, Vector3};
 
     /// A navigator reaches only states that a snapshot may hold: it goes no further than the limit of clocks.

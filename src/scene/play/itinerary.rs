@@ -11,9 +11,9 @@ use super::{Source, Spacing};
 use crate::base::error::Error;
 use crate::base::snapshot::{CLOCK_S, COUNT, SIGNALS, stored};
 use crate::sensors::SensorOutput;
+use crate::simulator::{ImuInterval, Simulator, Step};
 use crate::truth::{FlightSample, Pushed};
 use crate::unit::Unit;
-use crate::{ImuInterval, Simulator, Step};
 
 /// What a scene does over the time of its flight, and how far it has come: all of a scene in flight but its simulator and its unit.
 #[derive(Debug, Clone)]

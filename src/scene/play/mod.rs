@@ -17,9 +17,9 @@ use std::sync::Arc;
 
 use super::Scene;
 use crate::base::error::Error;
+use crate::simulator::{Simulator, Solution};
 use crate::truth::{FlightSample, Pushed};
 use crate::unit::{State, Status, Unit, UnitNavigation, Validity};
-use crate::{Simulator, Solution};
 
 /// What an INS shows.
 #[derive(Debug, Clone, Copy, PartialEq)]

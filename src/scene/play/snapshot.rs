@@ -1,9 +1,9 @@
 //! A scene in flight as a snapshot, and back: the place in the plan, then the simulator, then the unit.
 
 use super::{Itinerary, Play};
-use crate::Simulator;
 use crate::base::error::Error;
 use crate::base::snapshot::{Reader, SnapshotOf, Stored as _, Writer, fitting};
+use crate::simulator::Simulator;
 use crate::unit::{Mode, Unit, UnitParameters};
 
 impl Play {

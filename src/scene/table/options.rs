@@ -2,11 +2,11 @@
 
 use super::super::key::{Key, Place, Section, Target, one};
 use super::{choice, count, number, si, text};
-use crate::Options;
 use crate::base::parameter::Shape;
 use crate::earth::state::BodyAxes;
 use crate::earth::{Ellipsoid, GravityModel};
 use crate::mechanization::{Frame, Scheme, VerticalMode};
+use crate::simulator::Options;
 
 const O: Section = Section::Options;
 const P: Section = Section::Output;
