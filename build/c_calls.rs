@@ -69,10 +69,11 @@ const NUMBERS: [(&str, &str); 4] =
     [("grade", "SINS_GRADE_CONSUMER"), ("word", "0x600000cb"), ("radius_m", "1.0"), ("percent", "95.0")];
 
 /// Pointers that may be null, of all functions or of one.
-const MAY_BE_NULL: [(&str, &[&str]); 18] = [
+const MAY_BE_NULL: [(&str, &[&str]); 19] = [
     ("", &["written", "needed"]),
     ("sins_identify_create", &["options", "request"]),
     ("sins_identify_solve", &["identified"]),
+    ("sins_identify_check", &["request", "check"]),
     ("sins_create", &["options"]),
     ("sins_unit_create", &["params"]),
     ("sins_judge_create", &["options"]),

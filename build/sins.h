@@ -44,7 +44,8 @@
  *   Latitude is geodetic, height is above the ellipsoid.
  * Errors: a status below 0. The call has then changed nothing; the exceptions are under "Statuses".
  * Threads. Any function may be called from any thread. Calls on one handle wait for each other. A call takes less than 48 KB of
- *   stack, sins_identify_solve() less than 256 KB. docs/threads.md: nested calls, signal handlers, cancellation, abandoned calls, fork().
+ *   stack, sins_identify_solve() and sins_identify_check() less than 256 KB. docs/threads.md: nested calls, signal handlers,
+ *   cancellation, abandoned calls, fork().
  * Unloading. Destroy every handle first, and let every call return. docs/threads.md: what a DLL leaves behind.
  * Real time. Push, step, reads and setters make no allocation and no system call. docs/threads.md has the list.
  * Host time. The time comes from the samples. docs/host_time.md: pauses, slews, gaps, faster than real time.

@@ -22,7 +22,7 @@ extern "C" {
 
 /* The errors of real sensors. */
 
-@identify
+@identify identify/check
 
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_analysis_sizeof {

@@ -276,7 +276,9 @@ SINS_API sins_status SINS_CALL sins_error_budget(const sins_sim *configured, con
 /** Flags of a sins_identify_request. */
 typedef enum sins_identify_flags {
     /** The field shift_s holds the shift of the clock. */
-    SINS_IDENTIFY_SHIFT = 1
+    SINS_IDENTIFY_SHIFT = 1,
+    /** The states of the path are kept too, which sins_identify_check() needs: 336 bytes a sample. */
+    SINS_IDENTIFY_STATES = 2
 } sins_identify_flags;
 
 /** Flags of a sins_identified and of a sins_identified_parameter. */
@@ -419,8 +421,8 @@ SINS_API sins_status SINS_CALL sins_identify_create(const sins_options *options,
 
 /**
  * Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
- * samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample. Not for a
- * real-time frame: it allocates.
+ * samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample, with
+ * SINS_IDENTIFY_STATES 336 bytes. Not for a real-time frame: it allocates.
  *
  * SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
  * caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.
@@ -480,6 +482,110 @@ SINS_API sins_status SINS_CALL sins_identify_get_scene(const sins_identify *iden
  */
 SINS_API sins_status SINS_CALL sins_identify_destroy(sins_identify *identify);
 
+/** Verdicts on the model of the sensors. */
+typedef enum sins_agreement {
+    /** The real drift is as that of the twins. */
+    SINS_AGREEMENT_AGREES = 0,
+    /** The real sensors drift farther than the model. */
+    SINS_AGREEMENT_TOO_GOOD = 1,
+    /** The model drifts farther than the real sensors. */
+    SINS_AGREEMENT_TOO_BAD = 2
+} sins_agreement;
+
+/** What a check is made with. All zero: 100 twins along an exact path. */
+typedef struct sins_identify_check_request {
+    /** sizeof(sins_identify_check_request) */
+    uint32_t struct_size;
+    /** Number of twins, 40 to 1000; 0: 100. */
+    uint32_t twins;
+    /** Standard deviation of the position of the path, each axis, 0 to 1e4 [m]. Each flight of a twin begins with such an error. */
+    double position_m;
+    /** Standard deviation of the velocity of the path, each axis, 0 to 1e3 [m/s]. */
+    double velocity_m_s;
+    /** Standard deviation of the tilt of the path about east and about north, 0 to 1 [rad]. */
+    double tilt_rad;
+    /** Standard deviation of the heading of the path, 0 to 1 [rad]. */
+    double heading_rad;
+} sins_identify_check_request;
+
+/** The result of a check as a whole. */
+typedef struct sins_identified_check {
+    /** sizeof(sins_identified_check) */
+    uint32_t struct_size;
+    /** Verdict of the duration that is farthest off, of enum sins_agreement. */
+    int32_t agreement;
+    /** How many times as far the real sensors drift (SINS_AGREEMENT_TOO_GOOD) or the model drifts (SINS_AGREEMENT_TOO_BAD); else 1 [1]. */
+    double factor;
+    /** Length of the part of the record that was checked [s]. */
+    double length_s;
+    /** Number of twins. */
+    uint64_t twins;
+    /** Number of durations. */
+    uint64_t spans;
+    /** Shortest duration that is left out because half of the flights of the record or of a twin diverge; longer ones are too [s]; 0: none. */
+    double diverged_s;
+} sins_identified_check;
+
+/** Flights of one duration. A drift is the horizontal distance from the path at the end of a flight; it is infinite if the flight diverged. */
+typedef struct sins_identified_span {
+    /** sizeof(sins_identified_span) */
+    uint32_t struct_size;
+    /** Verdict on this duration, of enum sins_agreement. */
+    int32_t agreement;
+    /** As sins_identified_check.factor [1]. */
+    double factor;
+    /** The duration [s]. */
+    double duration_s;
+    /** Number of flights. */
+    uint64_t flights;
+    /** Number of flights that do not overlap. */
+    uint64_t apart;
+    /** Median drift of the flights on the record as it is [m]. */
+    double free_m;
+    /** Median drift with the errors removed that were found [m]. */
+    double real_m;
+    /** Lower end of the 95 % interval of real_m: order statistics, for the number of flights that do not overlap [m]. */
+    double real_low_m;
+    /** Upper end of that interval [m]. */
+    double real_high_m;
+    /** Root mean square of the drifts with the errors removed [m]. */
+    double real_rms_m;
+    /** Median drift of the flights of a twin: geometric mean of the twins [m]. */
+    double predicted_m;
+    /** Lower end of the interval of predicted_m that 95 % of the twins keep at all durations together [m]. */
+    double predicted_low_m;
+    /** Upper end of that interval [m]. */
+    double predicted_high_m;
+    /** Root mean square of the drifts of all flights of all twins [m]. */
+    double predicted_rms_m;
+} sins_identified_span;
+
+/**
+ * Finds the errors of the sensors in the first half of the increments that the path has, and checks in the other half how far the sensors
+ * drift: as sins identify --check. The other half is navigated from many starts, with the errors removed that were found. Twins, sensors
+ * that are drawn from what was found, fly the same starts. What was found is then that of the first half. docs/identify.md explains the
+ * verdict. The handle must have SINS_IDENTIFY_STATES. request may be NULL: as all zero; check may be NULL.
+ *
+ * Not for a real-time frame: it allocates up to 72 bytes an increment and 200 bytes a sample for its time, and flies each twin: seconds to
+ * minutes. The call takes up to 256 KB of stack. On an error, what was found and what was checked stays.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: a value out of its range; the record does not fit the path, as sins_identify_solve(); or a half of it is
+ * shorter than 20 s.
+ * SINS_ERROR_BAD_STATE: the handle has not SINS_IDENTIFY_STATES, the path has less than four intervals, the fit fails without a figure, or
+ * half of the flights of 10 s diverge. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ */
+SINS_API sins_status SINS_CALL sins_identify_check(sins_identify *identify,
+    const sins_identify_check_request *request, sins_identified_check *check);
+
+/**
+ * Reads the flights of a duration that the last sins_identify_check() made. index is from 0 to sins_identified_check.spans - 1: 10, 30,
+ * 60, 120, 300, 600 s.
+ *
+ * SINS_ERROR_INVALID_ARGUMENT: no such duration. SINS_ERROR_BAD_STATE: nothing was checked yet.
+ */
+SINS_API sins_status SINS_CALL sins_identify_get_span(const sins_identify *identify, size_t index,
+    sins_identified_span *span);
+
 /** Sizes of the structs in bytes, as enum sins_sizeof. */
 enum sins_analysis_sizeof {
     SINS_SIZEOF_REQUIREMENT = 48,
@@ -490,7 +596,10 @@ enum sins_analysis_sizeof {
     SINS_SIZEOF_IDENTIFY_REQUEST = 32,
     SINS_SIZEOF_RECORDED_INCREMENT = 72,
     SINS_SIZEOF_IDENTIFIED = 128,
-    SINS_SIZEOF_IDENTIFIED_PARAMETER = 304
+    SINS_SIZEOF_IDENTIFIED_PARAMETER = 304,
+    SINS_SIZEOF_IDENTIFY_CHECK_REQUEST = 40,
+    SINS_SIZEOF_IDENTIFIED_CHECK = 48,
+    SINS_SIZEOF_IDENTIFIED_SPAN = 112
 };
 
 #ifdef __cplusplus

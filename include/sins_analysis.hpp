@@ -42,6 +42,16 @@ public:
         return detail::all(make<sins_identified_parameter>(), sins_identify_get_parameter, handle_);
     }
 
+    /* Identifies the first half and checks the other one; request.flags had SINS_IDENTIFY_STATES. */
+    sins_identified_check check(const sins_identify_check_request &request) {
+        return detail::filled<sins_identified_check>(nullptr, sins_identify_check, handle_, &request);
+    }
+
+    /* All durations of the check. */
+    std::vector<sins_identified_span> spans() const {
+        return detail::all(make<sins_identified_span>(), sins_identify_get_span, handle_);
+    }
+
     /* A scene whose sensors have what was found. */
     std::string scene() const { return detail::text(sins_identify_get_scene, handle_); }
 };

@@ -177,7 +177,9 @@
     X(sins_status, sins_identify_solve, (sins_identify *identify, sins_identified *identified)) \
     X(sins_status, sins_identify_get_parameter, (const sins_identify *identify, size_t index, sins_identified_parameter *parameter)) \
     X(sins_status, sins_identify_get_scene, (const sins_identify *identify, char *buffer, size_t capacity, size_t *needed)) \
-    X(sins_status, sins_identify_destroy, (sins_identify *identify))
+    X(sins_status, sins_identify_destroy, (sins_identify *identify)) \
+    X(sins_status, sins_identify_check, (sins_identify *identify, const sins_identify_check_request *request, sins_identified_check *check)) \
+    X(sins_status, sins_identify_get_span, (const sins_identify *identify, size_t index, sins_identified_span *span))
 
 #define SINS_FUNCTIONS(X) SINS_FUNCTIONS_ENGINE(X) SINS_FUNCTIONS_SCENES(X) SINS_FUNCTIONS_IDENTIFY(X)
 

@@ -1,8 +1,15 @@
 //! `sins_identify`: the errors of real sensors, from a record and the true path of the same motion.
 
+mod check;
+mod fields;
+
+pub use check::*;
+
 use core::ffi::c_char;
 
 use nalgebra::{Matrix3, Vector3};
+
+use fields::in_fields;
 
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::IDENTIFIES;
@@ -37,6 +44,8 @@ pub type sins_identify_flags = u32;
 
 /// The field shift_s holds the shift of the clock.
 pub const SINS_IDENTIFY_SHIFT: sins_identify_flags = 1;
+/// The states of the path are kept too, which sins_identify_check() needs: 336 bytes a sample.
+pub const SINS_IDENTIFY_STATES: sins_identify_flags = 2;
 
 /// What is known of sensors before their record. All zero is nothing: the widest prior, clock and axes are found.
 #[repr(C)]
@@ -55,6 +64,8 @@ pub struct sins_identify_request {
 }
 
 interface_struct!(sins_identify_request, "request", 32);
+
+const ALL_FLAGS: u64 = (SINS_IDENTIFY_SHIFT | SINS_IDENTIFY_STATES) as u64;
 
 /// An increment that real sensors measured.
 #[repr(C)]
@@ -138,7 +149,7 @@ interface_struct!(sins_identified_parameter, "parameter", 304);
 
 impl sins_identify_request {
     fn to_request(self) -> Result<Request, CallError> {
-        check_integer("request.flags", self.flags as usize, 0, u64::from(SINS_IDENTIFY_SHIFT))?;
+        check_integer("request.flags", self.flags as usize, 0, ALL_FLAGS)?;
         let prior = match self.prior {
             0 => Prior::default(),
             grade => Prior::of(Grade::of("request.prior", grade)?),
@@ -164,29 +175,6 @@ fn exchange(axes: [i32; 3]) -> Result<Option<Matrix3<f64>>, CallError> {
         }
     }
     Ok(Some(exchange))
-}
-
-/// What the library says of a record: the field of the host's increments, and the axis.
-const FIELDS: [(&str, &str, Option<usize>); 11] = [
-    ("record.count", "increments", None),
-    ("record.time_s", "increments.time_s", None),
-    ("record.interval_s", "increments.interval_s", None),
-    ("record.angle", "increments.angle_rad", None),
-    ("record.angle.x", "increments.angle_rad", Some(0)),
-    ("record.angle.y", "increments.angle_rad", Some(1)),
-    ("record.angle.z", "increments.angle_rad", Some(2)),
-    ("record.velocity", "increments.velocity_m_s", None),
-    ("record.velocity.x", "increments.velocity_m_s", Some(0)),
-    ("record.velocity.y", "increments.velocity_m_s", Some(1)),
-    ("record.velocity.z", "increments.velocity_m_s", Some(2)),
-];
-
-/// An error about a record, about the field of the host's increments. What is no field, as the motion, keeps its name.
-fn in_fields(error: Error) -> Error {
-    match FIELDS.iter().find(|(own, ..)| *own == error.field) {
-        Some((_, field, axis)) => Error { field, index: axis.or(error.index), ..error },
-        None => error,
-    }
 }
 
 impl sins_recorded_increment {
@@ -302,12 +290,15 @@ pub unsafe extern "C-unwind" fn sins_identify_create(
                     true => Options::default(),
                     false => read(options, "options")?.to_parameters()?,
                 };
-                let request = match request.is_null() {
-                    true => Request::default(),
-                    false => read(request, "request")?.to_request()?,
+                let (request, keeps_states) = match request.is_null() {
+                    true => (Request::default(), false),
+                    false => {
+                        let request = read(request, "request")?;
+                        (request.to_request()?, request.flags & SINS_IDENTIFY_STATES != 0)
+                    }
                 };
                 let mut place = room(1)?;
-                place.push(Feed::new(&options, &request)?);
+                place.push(Feed::new(&options, &request, keeps_states)?);
                 Ok(only(place)?)
             })
         }
@@ -315,8 +306,8 @@ pub unsafe extern "C-unwind" fn sins_identify_create(
 }
 
 /// Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
-/// samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample. Not for a
-/// real-time frame: it allocates.
+/// samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample, with
+/// SINS_IDENTIFY_STATES 336 bytes. Not for a real-time frame: it allocates.
 ///
 /// SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
 /// caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.

@@ -121,7 +121,7 @@ pub fn read_table<T: Take>(
         is_foreign: mapping.is_foreign(),
     };
     // Without names the first row is one of values.
-    let mut next = if has_names { rows.next(&mut row)? } else { Some(line) };
+    let mut next = if has_names { rows.next_of_values(&mut row)? } else { Some(line) };
     let mut to_skip = mapping.skip;
     let ends = text.iter().filter(|byte| **byte == b'\n').count() as u64;
     let unended = (!text.ends_with(b"\n")).then_some(ends + 1);
@@ -142,7 +142,7 @@ pub fn read_table<T: Take>(
                 false => taken.other(),
             }
         }
-        next = rows.next(&mut row)?;
+        next = rows.next_of_values(&mut row)?;
     }
     Ok((taken, ends))
 }
@@ -191,6 +191,20 @@ impl TextRows<'_> {
     /// Reads the next row, and gives its line; `None` at the end.
     fn next(&mut self, row: &mut StringRecord) -> Result<Option<u64>, LogError> {
         next_row(&mut self.reader, self.text, self.comment, row)
+    }
+
+    /// As [`Self::next`], without comments that begin behind blanks. Names may stand behind such a mark.
+    fn next_of_values(&mut self, row: &mut StringRecord) -> Result<Option<u64>, LogError> {
+        loop {
+            let from = self.reader.position().byte() as usize;
+            let next = self.next(row)?;
+            let end = self.reader.position().byte() as usize;
+            let read = self.text.get(from..end).unwrap_or_default().trim_ascii_end();
+            let line = read.rsplit(|byte| *byte == b'\n').next().unwrap_or_default();
+            if next.is_none() || line.trim_ascii_start().first() != Some(&self.comment) {
+                return Ok(next);
+            }
+        }
     }
 
     /// Reads the row of the names, or the first of the values of a table without them, and gives its line.

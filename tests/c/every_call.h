@@ -173,6 +173,9 @@ static inline void every_identify_call(sins_identify *identify, every_call_answe
     EVERY_CALL_STORAGE sins_recorded_increment recorded_increment[2];
     EVERY_CALL_STORAGE sins_identified identified[2];
     EVERY_CALL_STORAGE sins_identified_parameter identified_parameter[2];
+    EVERY_CALL_STORAGE sins_identify_check_request identify_check_request[2];
+    EVERY_CALL_STORAGE sins_identified_check identified_check[2];
+    EVERY_CALL_STORAGE sins_identified_span identified_span[2];
     EVERY_CALL_STORAGE unsigned char bytes[SCENE_RUNS * SINS_SNAPSHOT_MAX_SIZE] = "";
     size_t size = 0;
     SINS_INIT(flight_sample[0]);
@@ -184,11 +187,19 @@ static inline void every_identify_call(sins_identify *identify, every_call_answe
     SINS_INIT(identified[1]);
     SINS_INIT(identified_parameter[0]);
     SINS_INIT(identified_parameter[1]);
+    SINS_INIT(identify_check_request[0]);
+    SINS_INIT(identify_check_request[1]);
+    SINS_INIT(identified_check[0]);
+    SINS_INIT(identified_check[1]);
+    SINS_INIT(identified_span[0]);
+    SINS_INIT(identified_span[1]);
     EVERY_CALL(sins_identify_get_parameter(identify, 0, identified_parameter));
     EVERY_CALL(sins_identify_get_scene(identify, (char *)bytes, sizeof bytes, &size));
+    EVERY_CALL(sins_identify_get_span(identify, 0, identified_span));
     EVERY_CALL(sins_identify_push_samples(identify, flight_sample, 2));
     EVERY_CALL(sins_identify_push_increments(identify, recorded_increment, 2));
     EVERY_CALL(sins_identify_solve(identify, identified));
+    EVERY_CALL(sins_identify_check(identify, identify_check_request, identified_check));
 }
 
 /* All functions of a sins_unit, except those that destroy it and that read its last failure. */
@@ -691,6 +702,7 @@ static inline void null_calls(sins_sim *sim, sins_flight *flight, sins_judge *ju
     EVERY_CALL(sins_identify_push_increments(identify, NULL, 2));
     EVERY_CALL(sins_identify_get_parameter(identify, 0, NULL));
     EVERY_CALL(sins_identify_get_scene(identify, NULL, sizeof bytes, &size));
+    EVERY_CALL(sins_identify_get_span(identify, 0, NULL));
     EVERY_CALL(sins_unit_create(unit_params, 0, NULL));
     EVERY_CALL(sins_unit_set_params(unit, NULL));
     EVERY_CALL(sins_unit_get_params(unit, NULL));

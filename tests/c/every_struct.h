@@ -24,6 +24,8 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     EVERY_CALL_STORAGE sins_budget_row budget_row[2];
     EVERY_CALL_STORAGE sins_budget budget[2];
     EVERY_CALL_STORAGE sins_identify_request identify_request[2];
+    EVERY_CALL_STORAGE sins_identify_check_request identify_check_request[2];
+    EVERY_CALL_STORAGE sins_identified_check identified_check[2];
     EVERY_CALL_STORAGE sins_unit_status unit_status[2];
     EVERY_CALL_STORAGE sins_unit_navigation unit_navigation[2];
     EVERY_CALL_STORAGE sins_bus_inputs bus_inputs[2];
@@ -71,6 +73,10 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     SINS_INIT(budget[1]);
     SINS_INIT(identify_request[0]);
     SINS_INIT(identify_request[1]);
+    SINS_INIT(identify_check_request[0]);
+    SINS_INIT(identify_check_request[1]);
+    SINS_INIT(identified_check[0]);
+    SINS_INIT(identified_check[1]);
     SINS_INIT(unit_status[0]);
     SINS_INIT(unit_status[1]);
     SINS_INIT(unit_navigation[0]);
@@ -115,6 +121,8 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     OUTPUT_SIZES(sins_budget, sins_error_budget(NULL, flight_sample, 2, budget_request, budget_row, 2, &size, pointer));
     OUTPUT_SIZES(sins_identified, sins_identify_solve(identify, pointer));
     OUTPUT_SIZES(sins_identified_parameter, sins_identify_get_parameter(identify, 0, pointer));
+    OUTPUT_SIZES(sins_identified_check, sins_identify_check(identify, identify_check_request, pointer));
+    OUTPUT_SIZES(sins_identified_span, sins_identify_get_span(identify, 0, pointer));
     OUTPUT_SIZES(sins_unit_params, sins_unit_get_params(unit, pointer));
     OUTPUT_SIZES(sins_unit_status, sins_unit_get_status(unit, pointer));
     OUTPUT_SIZES(sins_unit_navigation, sins_unit_get_navigation(unit, sim, pointer));
@@ -167,6 +175,7 @@ static inline void every_struct(sins_sim *sim, sins_flight *flight, sins_judge *
     INPUT_SIZES(sins_identify_request, ENDED(made_identify, sins_identify_destroy, sins_identify_create(options, pointer, &made_identify)));
     INPUT_SIZES(sins_flight_sample, sins_identify_push_samples(identify, pointer, 1));
     INPUT_SIZES(sins_recorded_increment, sins_identify_push_increments(identify, pointer, 1));
+    INPUT_SIZES(sins_identify_check_request, sins_identify_check(identify, pointer, identified_check));
     INPUT_SIZES(sins_unit_params, ENDED(made_unit, sins_unit_destroy, sins_unit_create(pointer, 0, &made_unit)));
     INPUT_SIZES(sins_unit_params, sins_unit_set_params(unit, pointer));
     INPUT_SIZES(sins_unit_fix, sins_unit_push_fix(unit, sim, pointer));

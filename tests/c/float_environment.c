@@ -127,6 +127,8 @@ typedef struct {
     sins_cost cost;
     sins_budget budget;
     sins_identified identified;
+    sins_identified_check checked;
+    sins_identified_span span;
     sins_identified_parameter parameter;
     sins_budget_row rows[SCENE_BUDGET_ROWS];
     sins_gyro_params gyro;
@@ -294,6 +296,8 @@ static void fly(const float_state *state, results *found)
     SINS_INIT(found->recommended);
     SINS_INIT(found->cost);
     SINS_INIT(found->identified);
+    SINS_INIT(found->checked);
+    SINS_INIT(found->span);
     SINS_INIT(found->parameter);
     SINS_INIT(found->gyro);
     SINS_INIT(found->accel);
@@ -356,6 +360,8 @@ static void fly(const float_state *state, results *found)
     identify = scene_identify();
     CHECK(sins_identify_get_parameter(identify, 5, &found->parameter) == SINS_OK);
     CHECK(sins_identify_solve(identify, &found->identified) == SINS_OK);
+    CHECK(sins_identify_check(identify, NULL, &found->checked) == SINS_OK);
+    CHECK(sins_identify_get_span(identify, 0, &found->span) == SINS_OK);
     every_identify_call(identify, ignore, NULL);
     CHECK(sins_identify_destroy(identify) == SINS_OK);
     fly_scene(found);

@@ -506,6 +506,40 @@ AT(sins_identified_parameter, sigma, 96);
 AT(sins_identified_parameter, prior, 104);
 AT(sins_identified_parameter, reason, 112);
 
+SIZE(sins_identify_check_request, SINS_SIZEOF_IDENTIFY_CHECK_REQUEST, 40);
+AT(sins_identify_check_request, struct_size, 0);
+AT(sins_identify_check_request, twins, 4);
+AT(sins_identify_check_request, position_m, 8);
+AT(sins_identify_check_request, velocity_m_s, 16);
+AT(sins_identify_check_request, tilt_rad, 24);
+AT(sins_identify_check_request, heading_rad, 32);
+
+SIZE(sins_identified_check, SINS_SIZEOF_IDENTIFIED_CHECK, 48);
+AT(sins_identified_check, struct_size, 0);
+AT(sins_identified_check, agreement, 4);
+AT(sins_identified_check, factor, 8);
+AT(sins_identified_check, length_s, 16);
+AT(sins_identified_check, twins, 24);
+AT(sins_identified_check, spans, 32);
+AT(sins_identified_check, diverged_s, 40);
+
+SIZE(sins_identified_span, SINS_SIZEOF_IDENTIFIED_SPAN, 112);
+AT(sins_identified_span, struct_size, 0);
+AT(sins_identified_span, agreement, 4);
+AT(sins_identified_span, factor, 8);
+AT(sins_identified_span, duration_s, 16);
+AT(sins_identified_span, flights, 24);
+AT(sins_identified_span, apart, 32);
+AT(sins_identified_span, free_m, 40);
+AT(sins_identified_span, real_m, 48);
+AT(sins_identified_span, real_low_m, 56);
+AT(sins_identified_span, real_high_m, 64);
+AT(sins_identified_span, real_rms_m, 72);
+AT(sins_identified_span, predicted_m, 80);
+AT(sins_identified_span, predicted_low_m, 88);
+AT(sins_identified_span, predicted_high_m, 96);
+AT(sins_identified_span, predicted_rms_m, 104);
+
 SIZE(sins_unit_params, SINS_SIZEOF_UNIT_PARAMS, 200);
 AT(sins_unit_params, struct_size, 0);
 AT(sins_unit_params, reserved, 4);

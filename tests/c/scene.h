@@ -195,14 +195,16 @@ static inline sins_recorded_increment scene_increment(sins_sim *sim, double behi
     return increment;
 }
 
-/* A minute at rest, which ends before time 0, with sensors that have white noise; solved. The times are exact, so that the
+/* A minute at rest, which ends before time 0, with sensors that have white noise; solved and checked. The times are exact, so that the
  * program raises no floating-point flag. */
-static inline sins_identify *scene_identify(void)
+static inline sins_identify *scene_identify_of(int32_t prior)
 {
     sins_flight_sample sample = {.struct_size = sizeof sample, .latitude_rad = 0.7};
     sins_recorded_increment increment;
     sins_gyro_params gyro = {.struct_size = sizeof gyro};
     sins_accel_params accel = {.struct_size = sizeof accel};
+    sins_identify_request request = {.struct_size = sizeof request, .flags = SINS_IDENTIFY_STATES, .prior = prior};
+    sins_identify_check_request of_check = {.struct_size = sizeof of_check, .twins = 40};
     sins_sim *sim = NULL;
     sins_identify *identify = NULL;
     int k;
@@ -211,7 +213,7 @@ static inline sins_identify *scene_identify(void)
         accel.velocity_random_walk_m_s_sqrt_s[k] = 1e-3;
     }
     CHECK(sins_create(NULL, &sim) == SINS_OK && sins_set_gyro(sim, &gyro) == SINS_OK && sins_set_accel(sim, &accel) == SINS_OK);
-    CHECK(sins_identify_create(NULL, NULL, &identify) == SINS_OK);
+    CHECK(sins_identify_create(NULL, &request, &identify) == SINS_OK);
     for (k = -500; k < 0; k++) {
         sample.time_s = 0.125 * k;
         CHECK(sins_push_sample(sim, &sample) == SINS_OK && sins_identify_push_samples(identify, &sample, 1) == SINS_OK);
@@ -220,9 +222,15 @@ static inline sins_identify *scene_identify(void)
             CHECK(sins_identify_push_increments(identify, &increment, 1) == SINS_OK);
         }
     }
+    CHECK(sins_identify_check(identify, &of_check, NULL) == SINS_OK);
     CHECK(sins_identify_solve(identify, NULL) == SINS_OK);
     CHECK(sins_destroy(sim) == SINS_OK);
     return identify;
+}
+
+static inline sins_identify *scene_identify(void)
+{
+    return scene_identify_of(0);
 }
 
 /* A record of every interval. */

@@ -1,5 +1,5 @@
-/* Each function needs at most 48 KB of stack, so that a thread with 64 KB can call it; sins_identify_solve() at most 256 KB. The stack
- * below a call is filled with a pattern; the lowest byte that has changed after the call gives the depth. */
+/* Each function needs at most 48 KB of stack, so that a thread with 64 KB can call it; sins_identify_solve() and sins_identify_check() at
+ * most 256 KB. The stack below a call is filled with a pattern; the lowest byte that has changed after the call gives the depth. */
 
 #define _GNU_SOURCE
 #include <math.h>
@@ -406,12 +406,13 @@ static void call_every_function(void)
     MEASURE_VALUE(sins_status_string(SINS_OK));
 }
 
-/* Identification, whose solution takes more stack. */
+/* Identification, whose solution and check take more stack. */
 static void call_identify(void)
 {
     sins_identify *identify;
     sins_flight_sample sample = {.struct_size = sizeof sample, .latitude_rad = 0.7};
     sins_recorded_increment increment = {.struct_size = sizeof increment, .interval_s = 0.1, .velocity_m_s = {0.0, 0.0, 0.98}};
+    sins_identify_check_request of_check = {.struct_size = sizeof of_check, .twins = 40};
     find_bottom();
     identify = scene_identify();
     every_identify_call(identify, NULL, NULL);
@@ -420,6 +421,7 @@ static void call_identify(void)
     MEASURE(sins_identify_push_samples(identify, &sample, 1));
     MEASURE(sins_identify_push_increments(identify, &increment, 1));
     MEASURE(sins_identify_solve(identify, NULL));
+    MEASURE(sins_identify_check(identify, &of_check, NULL));
     CHECK(sins_identify_destroy(identify) == SINS_OK);
 }
 
@@ -477,7 +479,7 @@ int main(void)
     on_a_stack(DEEPEST_SOLVE + SMALL_STACK - DEEPEST, call_identify);
     for (k = 0; k < FUNCTIONS && deepest[k].name[0] != '\0'; k++) {
         printf("%6zu %s\n", deepest[k].bytes, deepest[k].name);
-        if (strcmp(deepest[k].name, "sins_identify_solve") == 0) {
+        if (strcmp(deepest[k].name, "sins_identify_solve") == 0 || strcmp(deepest[k].name, "sins_identify_check") == 0) {
 #ifndef __SANITIZE_ADDRESS__
             CHECK(deepest[k].bytes <= DEEPEST_SOLVE);
 #endif

@@ -181,9 +181,12 @@ static void plays() {
     CHECK(!same_navigation(play, planned));
 }
 
-/* Forty seconds at rest with tactical sensors. */
+/* A minute at rest with tactical sensors. */
 static void identifications() {
-    sins::Identification identification;
+    const sins_options options = sins::make<sins_options>();
+    sins_identify_request request = sins::make<sins_identify_request>();
+    request.flags = SINS_IDENTIFY_STATES;
+    sins::Identification identification(options, request);
     sins::Simulator sim;
     sins_imu imu = sins::make<sins_imu>();
     sins_recorded_increment measured = sins::make<sins_recorded_increment>();
@@ -191,7 +194,7 @@ static void identifications() {
     sim.set_accel(sins::accel_preset(SINS_GRADE_TACTICAL));
     CHECK(error_of([&] { identification.solve(); }).status() < 0);
     CHECK(error_of([&] { identification.scene(); }).status() == SINS_ERROR_BAD_STATE);
-    for (int k = 0; k < 400; ++k) {
+    for (int k = 0; k < 600; ++k) {
         const sins_flight_sample sample = at(0.1 * k);
         CHECK(identification.push(&sample, 1));
         sim.push_sample(sample);
@@ -204,12 +207,18 @@ static void identifications() {
         }
     }
     const sins_identified found = identification.solve();
-    CHECK(found.increments == 399 && found.used_s > 30.0);
+    CHECK(found.increments == 599 && found.used_s > 50.0);
     const std::vector<sins_identified_parameter> parameters = identification.parameters();
     CHECK(parameters.size() == SINS_IDENTIFIED_PARAMETERS && std::string(parameters[5].name) == "gyro bias x");
     CHECK(sins::Scene(identification.scene()).faults().empty());
-    const sins_options options = sins::make<sins_options>();
-    sins_identify_request request = sins::make<sins_identify_request>();
+    CHECK(error_of([&] { identification.spans(); }).status() == SINS_ERROR_BAD_STATE);
+    sins_identify_check_request of_check = sins::make<sins_identify_check_request>();
+    of_check.twins = 40;
+    const sins_identified_check checked = identification.check(of_check);
+    const std::vector<sins_identified_span> spans = identification.spans();
+    CHECK(checked.twins == 40 && checked.spans == spans.size() && spans.size() == 1 && spans[0].duration_s == 10.0);
+    of_check.twins = 39;
+    CHECK(error_of([&] { identification.check(of_check); }).status() == SINS_ERROR_INVALID_ARGUMENT);
     request.axes[0] = 1;
     CHECK(error_of([&] { sins::Identification(options, request); }).status() == SINS_ERROR_INVALID_ARGUMENT);
 }

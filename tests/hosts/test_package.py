@@ -316,6 +316,7 @@ class Copies(unittest.TestCase):
 
         with sins.Flight("aerobatics", hours=0.02, flight={"rate_hz": 25}, options={"subsamples": 1}, **NOISE) as flight:
             identified = sins.identify("aerobatics", flight.fly(), hours=0.02, flight={"rate_hz": 25})
+        checked = identified.check(twins=40)
 
         def record(run):
             return [run.records.tobytes(), repr(run)]
@@ -329,6 +330,8 @@ class Copies(unittest.TestCase):
             "Budget": (sins.budget("racetrack", hours=0.01, gyro={"bias_deg_h": 1}), lambda one: [str(one), bytes(one.whole)]),
             "Identified": (identified, lambda one: [str(one), one.scene(), one.rotation.tolist(), one["gyro bias x"]]),
             "Parameter": (identified.parameters[0], str),
+            "Check": (checked, str),
+            "Span": (checked.spans[0], str),
             "Recommendation": (sins.recommend("aerobatics", hours=0.01, position_m=1), lambda one: [one.options, bytes(one.cost)]),
         }
         every = {name for name in sins.__all__ if isinstance(getattr(sins, name), type)}
@@ -667,6 +670,64 @@ class Identification(unittest.TestCase):
         self.assertEqual(same.parameters, found.parameters)
         for one, other in zip(expected.parameters, found.parameters):
             self.assertAlmostEqual(other.value, one.value, delta=1e-3 * max(one.sigma, abs(one.value)))
+
+    def test_the_check_is_that_of_the_program_and_of_c(self):
+        path = {"hours": 0.08, "flight": {"rate_hz": 50}}
+        settings = ["--set", "flight.hours=0.08", "--set", "flight.rate_hz=50"]
+        with tempfile.TemporaryDirectory() as folder:
+            def run(*arguments):
+                return subprocess.run([PROGRAM, *arguments], check=True, cwd=folder, capture_output=True, text=True).stdout
+
+            run("fly", "aerobatics", "--preset", "tactical", *settings, "--set", "options.subsamples=1", "--imu", "record.csv", "--out", ".")
+            said = json.loads(run("identify", "aerobatics", *settings, "--imu", "record.csv", "--prior", "industrial", "--check", "--twins", "40",
+                                  "--truth-sigma", "velocity_m_s=0.003", "--json"))
+            rows = pandas.read_csv(f"{folder}/record.csv", comment="#", float_precision="round_trip")
+        imu = {"time_s": rows["time_s"], "interval_s": said["interval_s"],
+               "angle_rad": rows[[f"angle_increment_{axis}_rad" for axis in "xyz"]],
+               "velocity_m_s": rows[[f"velocity_increment_{axis}_m_s" for axis in "xyz"]]}
+        found = sins.identify("aerobatics", imu, prior="industrial", **path)
+        checked = found.check(twins=40, velocity_m_s=0.003)
+        expected = said["check"]
+        self.assertEqual(len(checked.spans), 3)
+        for one, same in [(checked, expected), *zip(checked.spans, expected["spans"])]:
+            for name, value in same.items():
+                if name.endswith(("low_m", "high_m")):
+                    low, high = getattr(one, f"{name.split('_')[0]}_interval_m")
+                    self.assertEqual(low if name.endswith("low_m") else high, value, name)
+                elif name != "spans":
+                    self.assertEqual(getattr(one, name), value, name)
+        self.assertTrue(checked.sentence.endswith(", with the errors of the path that were given"), checked.sentence)
+        self.assertEqual(str(checked).count("\n"), 3)
+        # The same calls in C.
+        scene = c.scene_create_builtin("aerobatics")
+        c.scene_set_values(scene, "flight.hours = 0.08\nflight.rate_hz = 50")
+        options = c.scene_get_options(scene)
+        options.sample_period_s = 1 / 50
+        handle = c.identify_create(options, c.identify_request(flags=c.IDENTIFY_STATES, prior=c.GRADE_INDUSTRIAL))
+        count = c.scene_get_samples(scene, None).count
+        c.identify_push_samples(handle, c.samples_at(c.scene_create_flight(scene), np.arange(count) / 50))
+        record = c.array(c.recorded_increment, len(rows))
+        for name in imu:
+            record[name] = imu[name]
+        c.identify_push_increments(handle, record)
+        whole = c.identify_check(handle, c.identify_check_request(twins=40, velocity_m_s=0.003))
+        self.assertEqual((whole.spans, whole.length_s, whole.twins), (3, expected["length_s"], 40))
+        for index, one in enumerate(expected["spans"]):
+            span = c.identify_get_span(handle, index)
+            same = {name: getattr(span, name) for name in one if name != "verdict"}
+            self.assertEqual({**same, "verdict": one["verdict"]}, one)
+        # The whole record is what is identified again: neither a check nor a copy changes what was found.
+        self.assertEqual(pickle.loads(pickle.dumps(found)).check(twins=40, velocity_m_s=0.003), checked)
+        exact = found.check(twins=40)
+        self.assertLess(exact.spans[0].predicted_m, checked.spans[0].predicted_m)
+        self.assertEqual((exact.verdict, exact.sentence), ("agrees", "the prediction agrees with the record"))
+        for error, sentence, arguments in [
+            (ValueError, "twins = 0: must be from 40 to 1000", {"twins": 0}),
+            (sins.Error, "request.twins = 39: must be from 40 to 1000", {"twins": 39}),
+            (sins.Error, "request.tilt_rad = 2: must be from 0 to 1", {"tilt_rad": 2}),
+        ]:
+            with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
+                found.check(**arguments)
 
     def test_what_is_wrong_is_named(self):
         rows = len(self.imu)

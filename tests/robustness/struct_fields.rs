@@ -7,6 +7,8 @@ use std::ptr::{null, null_mut};
 use sins::abi::*;
 
 use crate::support;
+#[cfg(feature = "identify")]
+use crate::support::draws::Draws;
 
 /// A struct as its 8-byte words: the size and flags, then numbers or pairs of integers.
 struct Words(Vec<u64>);
@@ -325,6 +327,34 @@ fn units(tried: &mut Tried) {
     tried.each_word(&inputs, &[], &due, null(), &|bad| words(status.pointer(), navigation.pointer(), bad));
 }
 
+/// A path and a record of a minute at rest on the equator, which can be checked.
+#[cfg(feature = "identify")]
+fn at_rest() -> *mut sins_identify {
+    let request =
+        sins_identify_request { flags: SINS_IDENTIFY_STATES, prior: SINS_GRADE_TACTICAL, ..support::init() };
+    let mut made = null_mut();
+    let mut draws = Draws::new(5);
+    // SAFETY: the structs have their sizes, and the handle is new.
+    unsafe {
+        assert_eq!(sins_identify_create(null(), &request, &mut made), SINS_OK);
+        for row in 0..600 {
+            let time_s = 0.1 * f64::from(row);
+            let sample = sins_flight_sample { time_s, ..support::init() };
+            assert_eq!(sins_identify_push_samples(made, &sample, 1), SINS_OK);
+            let mut noisy = |mean: f64, size: f64| 0.1 * mean + draws.within(-size, size);
+            let increment = sins_recorded_increment {
+                time_s,
+                interval_s: 0.1,
+                angle_rad: [noisy(0.0, 1e-6), noisy(7.292e-5, 1e-6), noisy(0.0, 1e-6)],
+                velocity_m_s: [noisy(0.0, 1e-4), noisy(0.0, 1e-4), noisy(9.78, 1e-4)],
+                ..support::init()
+            };
+            assert_eq!(sins_identify_push_increments(made, &increment, 1), SINS_OK);
+        }
+    }
+    made
+}
+
 /// What is known of real sensors, and the increments that they measured.
 #[cfg(feature = "identify")]
 fn sensors(tried: &mut Tried) {
@@ -340,6 +370,13 @@ fn sensors(tried: &mut Tried) {
         let increment = Words::new::<sins_recorded_increment>(0).with(2, 0.01);
         tried.each_word(&increment, &[], &address, null(), &|words| {
             sins_identify_push_increments(made.get(), words, 1)
+        });
+        assert_eq!(sins_identify_destroy(made.get()), SINS_OK);
+        // Twins; errors of the path.
+        made.set(at_rest());
+        let of_check = Words::new::<sins_identify_check_request>(40);
+        tried.each_word(&of_check, &[], &address, null(), &|words| {
+            sins_identify_check(made.get(), words, null_mut())
         });
         assert_eq!(sins_identify_destroy(made.get()), SINS_OK);
     }

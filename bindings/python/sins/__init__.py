@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from sins._analysis import budget as budget, recommend as recommend
     from sins._ensemble import Ensemble as Ensemble, Figures as Figures, ensemble as ensemble
     from sins._flight import Flight as Flight, Run as Run, fly as fly
-    from sins._identify import Identified as Identified, Parameter as Parameter, identify as identify
+    from sins._identify import Check as Check, Identified as Identified, Parameter as Parameter, Span as Span, identify as identify
     from sins._judge import Finding as Finding, LogWarning as LogWarning
     from sins._scene import Trajectory as Trajectory, trajectory as trajectory
 
@@ -43,7 +43,7 @@ _HOME = {
     "_analysis": ("Budget", "Recommendation", "budget", "recommend"),
     "_ensemble": ("Ensemble", "Figures", "ensemble"),
     "_flight": ("Flight", "Run", "fly"),
-    "_identify": ("Identified", "Parameter", "identify"),
+    "_identify": ("Check", "Identified", "Parameter", "Span", "identify"),
     "_judge": ("Finding", "LogWarning"),
     "_scene": ("Trajectory", "trajectory"),
     "c": ("Error",),

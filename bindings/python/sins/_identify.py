@@ -1,7 +1,7 @@
 """The errors of real sensors, from a record of their increments and the true path of the same motion."""
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Optional, Tuple
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import matplotlib.figure
 
 _GRADES = ("strategic", "navigation", "tactical", "industrial", "consumer")
+_AGREEMENTS = {c.AGREEMENT_AGREES: "agrees", c.AGREEMENT_TOO_GOOD: "too_good", c.AGREEMENT_TOO_BAD: "too_bad"}
 # Names of a record, with the name of the same integrated over the interval.
 _SIGNALS = (("rate_rad_s", "angle_rad"), ("force_m_s2", "velocity_m_s"))
 
@@ -44,6 +45,96 @@ class Parameter:
         return f"{self.name}: {self.value:.4g} ({low:.4g} to {high:.4g}) {self.unit}" if self.is_seen else f"{self.name}: {self.reason}"
 
 
+def _words(agreement: str, factor: float) -> str:
+    return "agrees" if agreement == "agrees" else f"the model is {agreement.replace('_', ' ')} by {factor:.2g}"
+
+
+@dataclass(frozen=True)
+class Span:
+    """Flights of one duration of a `Check`. A drift is the horizontal distance from the path at the end of a flight; it is infinite if the
+    flight diverged."""
+
+    duration_s: float
+    """The duration [s]."""
+    flights: int
+    """Number of flights."""
+    apart: int
+    """Number of flights that do not overlap."""
+    free_m: float
+    """Median drift on the record as it is [m]."""
+    real_m: float
+    """Median drift with the errors removed that were found [m]."""
+    real_interval_m: "Tuple[float, float]"
+    """Interval of 95 % of real_m, for the number of flights that do not overlap [m]."""
+    real_rms_m: float
+    """Root mean square of the drifts with the errors removed [m]."""
+    predicted_m: float
+    """Median drift of the flights of a twin: mean of the twins [m]."""
+    predicted_interval_m: "Tuple[float, float]"
+    """Interval that 95 % of the twins keep at all durations together [m]."""
+    predicted_rms_m: float
+    """Root mean square of the drifts of the twins [m]."""
+    verdict: str
+    """"agrees", "too_good" or "too_bad": the model of the sensors."""
+    factor: float
+    """How many times as far the real sensors drift (too_good), or the model (too_bad); otherwise 1."""
+
+    def __str__(self) -> str:
+        real, predicted = (f"{value:.4g} ({low:.4g} to {high:.4g})" for value, (low, high) in
+                           ((self.real_m, self.real_interval_m), (self.predicted_m, self.predicted_interval_m)))
+        return f"{self.duration_s:g} s: drift {real} m, predicted {predicted} m: {_words(self.verdict, self.factor)}"
+
+
+@dataclass(frozen=True)
+class Check:
+    """Whether a record keeps what was found in it: `Identified.check` makes it. str() has all durations and the sentence."""
+
+    spans: "Tuple[Span, ...]"
+    """Each duration: 10, 30, 60, 120, 300, 600 s, as long as two of them have room."""
+    verdict: str
+    """"agrees", "too_good" or "too_bad": of the duration that is farthest off."""
+    factor: float
+    """How many times as far the real sensors drift (too_good), or the model (too_bad); otherwise 1."""
+    length_s: float
+    """Length of the half of the record that was checked [s]."""
+    twins: int
+    """Number of twins."""
+    diverged_s: Optional[float]
+    """Shortest duration that is left out, because half of the flights of the record or of a twin diverge; longer ones are too [s]."""
+    sentence: str
+    """The verdict in words."""
+
+    def __str__(self) -> str:
+        return "\n".join([*map(str, self.spans), self.sentence])
+
+
+@dataclass(frozen=True)
+class _Given:
+    """What sensors are identified from."""
+
+    flown: Flown
+    hours: Optional[float]
+    settings: "Mapping[str, Setting]"
+    increments: "npt.NDArray[Any]"
+    request: Any
+
+    def handle(self, flags: int = 0) -> "Tuple[Any, Scene]":
+        """A handle without rows, and the path."""
+        request = type(self.request).from_buffer_copy(self.request)
+        request.flags |= flags
+        scene = Scene(self.flown, self.hours, self.settings)
+        options = c.scene_get_options(scene.handle)
+        if scene.log is None:
+            options.sample_period_s = scene.info.period_s  # as the simulator of a scene with a flight of its own
+        return c.identify_create(options, request), scene
+
+    def push(self, handle: Any, scene: Scene) -> None:
+        """Adds the path and the record."""
+        for begin in range(0, scene.info.count, INTERVALS):
+            c.identify_push_samples(handle, scene.piece(begin, min(begin + INTERVALS, scene.info.count)))
+        c.identify_push_increments(handle, self.increments)
+
+
 @dataclass(frozen=True)
 class Identified:
     """What a record shows of its sensors: `identify` makes it."""
@@ -60,6 +151,8 @@ class Identified:
     """Time of the record that was compared with the path [s]."""
     text: str
     """The scene that `scene` returns."""
+    _given: _Given = field(repr=False, compare=False)
+    """Path and record, for `check`."""
 
     def __getitem__(self, name: str) -> Parameter:
         """A parameter by its name."""
@@ -74,6 +167,37 @@ class Identified:
     def scene(self) -> str:
         """The text of a scene whose sensors have what was found; its vehicle is at rest: give a log or other settings to `fly`."""
         return self.text
+
+    def check(
+        self, *, twins: int = 100, position_m: float = 0.0, velocity_m_s: float = 0.0, tilt_rad: float = 0.0, heading_rad: float = 0.0,
+        progress: bool = False,
+    ) -> Check:
+        """Whether the record keeps the prediction, as `sins identify --check`: identifies the first half of the rows that the path has, and
+        navigates the other half from many starts, with the errors removed that were found. Twins (40 to 1000), sensors drawn from what was
+        found, fly the same starts.
+
+        Standard deviations of the errors of the path, with which each flight of a twin begins: position_m and velocity_m_s of each axis,
+        tilt_rad about east and about north, heading_rad. A file or a log of the path is read again. It takes seconds to minutes; progress: a
+        line on standard error shows the time that has passed. docs/identify.md explains the verdict.
+        """
+        if twins < 1:
+            raise ValueError(f"twins = {twins}: must be from 40 to 1000")
+        request = c.identify_check_request(twins=twins, position_m=position_m, velocity_m_s=velocity_m_s, tilt_rad=tilt_rad, heading_rad=heading_rad)
+        handle, scene = self._given.handle(c.IDENTIFY_STATES)
+
+        def check() -> Any:
+            self._given.push(handle, scene)
+            return c.identify_check(handle, request)
+
+        checked = in_background(check, progress=Progress("checking") if progress else None)
+        verdict, is_exact = _AGREEMENTS[checked.agreement], not any((position_m, velocity_m_s, tilt_rad, heading_rad))
+        sentence = "the prediction agrees with the record" if verdict == "agrees" else _words(verdict, checked.factor)
+        if not is_exact:
+            sentence += ", with the errors of the path that were given"
+        elif verdict == "too_good":
+            sentence += "; the path is taken for exact: check(velocity_m_s=...) and the like state its errors"
+        return Check(tuple(_span(c.identify_get_span(handle, index)) for index in range(checked.spans)), verdict, checked.factor,
+                     checked.length_s, checked.twins, checked.diverged_s or None, sentence)
 
     def plot(self) -> "matplotlib.figure.Figure":
         """A figure of matplotlib: each parameter with its 95 % interval, in standard deviations of its prior; grey, the 95 % interval of the
@@ -142,6 +266,11 @@ def _parameter(one: Any) -> Parameter:
     return Parameter(name, one.value, (one.low, one.high), unit, one.sigma, one.prior, bool(one.flags & c.IDENTIFIED_SEEN), reason)
 
 
+def _span(one: Any) -> Span:
+    return Span(one.duration_s, one.flights, one.apart, one.free_m, one.real_m, (one.real_low_m, one.real_high_m), one.real_rms_m,
+                one.predicted_m, (one.predicted_low_m, one.predicted_high_m), one.predicted_rms_m, _AGREEMENTS[one.agreement], one.factor)
+
+
 def identify(
     flown: Flown, imu: Any, hours: Optional[float] = None, *, prior: str = "consumer", axes: Optional[str] = None,
     shift_s: Optional[float] = None, progress: bool = False, **settings: Setting,
@@ -167,17 +296,14 @@ def identify(
         request.axes = tuple(_axes(axes))
     if shift_s is not None:
         request.flags, request.shift_s = c.IDENTIFY_SHIFT, float(shift_s)
-    increments = _increments(imu)
-    scene = Scene(flown, hours, settings)
-    handle = c.identify_create(c.scene_get_options(scene.handle), request)
+    given = _Given(flown, hours, settings, _increments(imu), request)
+    handle, scene = given.handle()
 
     def solve() -> Any:
-        for begin in range(0, scene.info.count, INTERVALS):
-            c.identify_push_samples(handle, scene.piece(begin, min(begin + INTERVALS, scene.info.count)))
-        c.identify_push_increments(handle, increments)
+        given.push(handle, scene)
         return c.identify_solve(handle)
 
     found = in_background(solve, progress=Progress("identifying") if progress else None)
     parameters = tuple(_parameter(c.identify_get_parameter(handle, index)) for index in range(c.IDENTIFIED_PARAMETERS))
     return Identified(parameters, np.array(found.rotation).reshape(3, 3), np.array(found.boresight_rad),
-                      bool(found.flags & c.IDENTIFIED_SEEN), found.used_s, c.identify_get_scene(handle))
+                      bool(found.flags & c.IDENTIFIED_SEEN), found.used_s, c.identify_get_scene(handle), given)

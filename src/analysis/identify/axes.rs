@@ -27,6 +27,9 @@ const ROUNDING: f64 = 1e-9;
 /// Tilt of a block that stands square, for the comparison of the mean forces \[rad\].
 const TILT: f64 = 0.05;
 
+/// Mean force of a path that no bias reverses, in standard deviations of the bias.
+const LARGE_MEAN: f64 = 4.0;
+
 const LEFT_HANDED: &str = "correlation with the path in left-handed axes, which no rotation gives: a sign or the order of these columns is wrong";
 
 /// The signed exchange of axes: signals of the record = `exchange` times those of the path, nearly.
@@ -121,19 +124,23 @@ impl Sums {
         if least > 0.0 { self.rest(axes) / least * (INDEPENDENT * 3.0 * self.count) } else { 0.0 }
     }
 
-    /// Rejects signals that are those of the path in left-handed axes, and not in right-handed ones. The negative of an exchange without
-    /// reflection is one with a reflection.
-    fn check_hand(&self, field: &'static str) -> Result<(), Error> {
+    /// The left-handed exchange of signals that are those of the path in left-handed axes, and not in right-handed ones. The negative of an
+    /// exchange without reflection is one with a reflection.
+    fn left_handed(&self) -> Option<Matrix3<f64>> {
         let mirrored = -Axes::exchanges()
             .min_by(|a, b| self.along(a).total_cmp(&self.along(b)))
             .unwrap_or_else(Matrix3::identity);
         let (correlation, least) = (self.correlation(&mirrored), self.rest(&mirrored));
         let of = |axes: &Matrix3<f64>| self.chi_square(axes, least);
         let (right, left) = (of(&self.best()), of(&mirrored));
-        if correlation > SAME && right > left + EXCLUDED && right > MIRRORED * left {
-            return Err(Error::invalid(field, correlation, Rule::Sentence(LEFT_HANDED)));
-        }
-        Ok(())
+        let is_left = correlation > SAME && right > left + EXCLUDED && right > MIRRORED * left;
+        is_left.then_some(mirrored)
+    }
+
+    /// Rejects left-handed signals.
+    fn check_hand(&self, field: &'static str) -> Result<(), Error> {
+        let Some(mirrored) = self.left_handed() else { return Ok(()) };
+        Err(Error::invalid(field, self.correlation(&mirrored), Rule::Sentence(LEFT_HANDED)))
     }
 
     /// The correlation that the noise leaves to the signals of the path.
@@ -202,17 +209,28 @@ pub(super) fn find(
     )
     .map_err(|error| if is_moving && correlation <= SAME { other_motion() } else { error })?;
 
+    let bias = hypot(TILT * STANDARD_GRAVITY, prior.accel_bias);
     // Chi-square of an exchange: the rest over its least value, and the means by the biases that sensors may have.
     let of = |sums: &Sums, axes: &Matrix3<f64>| sums.chi_square(axes, sums.rest(&sums.best()));
-    let bias = hypot(TILT * STANDARD_GRAVITY, prior.accel_bias);
     let mean = |axes: &Matrix3<f64>| (accel.means.0 - axes * accel.means.1).norm_squared() / (bias * bias);
     let chi_square = |axes: &Matrix3<f64>| of(&gyro, axes) + of(&accel, axes) + mean(axes);
     // The rates alone say which exchanges are possible; forces that oppose the path in all of them are reversed.
     let turns_as_well = |axes: &Matrix3<f64>| of(&gyro, axes) < of(&gyro, &turned) + EXCLUDED;
     let opposes = |axes: Matrix3<f64>| accel.means.0.dot(&(axes * accel.means.1)) < -0.5 * recorded * ideal;
-    if correlation > SAME && Axes::exchanges().filter(turns_as_well).all(opposes) {
+    let is_large = ideal > LARGE_MEAN * bias;
+    if correlation > SAME && is_large && Axes::exchanges().filter(turns_as_well).all(opposes) {
         let rule = Rule::Sentence("along the forces of the path: the specific forces have the opposite sign");
         return Err(Error::invalid("record.velocity", -recorded, rule));
+    }
+    // Where the mean force is small, the changes of the forces tell that all three are reversed.
+    let is_reversed = |mirrored: Matrix3<f64>| {
+        correlation > SAME && Axes::exchanges().filter(turns_as_well).all(|axes| axes == -mirrored)
+    };
+    if let Some(mirrored) = accel.left_handed().filter(|mirrored| is_reversed(*mirrored)) {
+        let rule = Rule::Sentence(
+            "correlation with the forces of the path: the specific forces have the opposite sign",
+        );
+        return Err(Error::invalid("record.velocity", -accel.correlation(&mirrored), rule));
     }
     accel.check_hand("record.velocity")?;
     if let Some(exchange) = given {

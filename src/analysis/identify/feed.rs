@@ -1,10 +1,11 @@
 //! A path and a record that a host pushes row by row, and what was found in them.
 
 use super::blocks::check_row;
-use super::{IdealPath, Identified, RecordedIncrement, Request, identify};
+use super::check::{Check, CheckRequest, Truth, check, identify_first_half};
+use super::path::of_path;
+use super::{Identified, RecordedIncrement, Request, identify};
 use crate::base::error::{Error, check_integer};
 use crate::base::memory::{only, room, room_for_one_more};
-use crate::mechanization::Frame;
 use crate::simulator::{Options, Simulator, Step, heap_simulator};
 use crate::truth::{FlightSample, Pushed};
 
@@ -18,35 +19,43 @@ pub struct Feed {
     /// Perfect sensors along the path.
     simulator: Box<[Simulator; 1]>,
     samples: usize,
-    path: IdealPath,
+    /// The path; its samples and states are those of a feed that checks.
+    truth: Truth,
+    keeps_states: bool,
     record: Vec<RecordedIncrement>,
     found: Option<Box<[Identified; 1]>>,
+    checked: Option<Check>,
     /// A sample that was taken and could not be flown: the path has a hole from then on.
     broken: Option<Error>,
     most_rows: usize,
 }
 
 impl Feed {
-    /// Without rows. Of `options`, Earth, gravity, body axes and the checks of samples count.
-    pub fn new(options: &Options, request: &Request) -> Result<Self, Error> {
-        Self::with_most(options, request, MOST_ROWS)
+    /// Without rows. Of `options`, Earth, gravity, body axes and the checks of samples count. With `keeps_states` the path is kept with
+    /// all that [`Self::check`] needs.
+    pub fn new(options: &Options, request: &Request, keeps_states: bool) -> Result<Self, Error> {
+        Self::with_most(options, request, keeps_states, MOST_ROWS)
     }
 
-    fn with_most(options: &Options, request: &Request, most_rows: usize) -> Result<Self, Error> {
+    fn with_most(
+        options: &Options,
+        request: &Request,
+        keeps_states: bool,
+        most_rows: usize,
+    ) -> Result<Self, Error> {
         options.validate()?;
         request.validate()?;
-        let Options { ellipsoid, gravity, axes, intake, .. } = *options;
-        // Earth-fixed axes have no pole, and the damped vertical channel keeps the path for any time.
-        let flown =
-            Options { ellipsoid, gravity, axes, intake, frame: Frame::EarthFixed, ..Options::default() };
+        let flown = of_path(options);
         Ok(Self {
             options: flown,
             request: *request,
             simulator: heap_simulator(&flown)?,
             samples: 0,
-            path: IdealPath::default(),
+            truth: Truth::new(options),
+            keeps_states,
             record: Vec::new(),
             found: None,
+            checked: None,
             broken: None,
             most_rows,
         })
@@ -66,17 +75,29 @@ impl Feed {
     pub fn push_sample(&mut self, sample: &FlightSample) -> Result<Pushed, Error> {
         self.check_path()?;
         check_integer("samples", self.samples + 1, 1, self.most_rows as u64)?;
-        self.path.make_room()?;
+        self.truth.make_room(self.keeps_states)?;
         let [simulator] = &mut *self.simulator;
         let pushed = simulator.push_sample(sample)?;
         self.samples += 1;
-        match fly(simulator, &mut self.path) {
+        match self.fly(sample) {
             Ok(()) => Ok(pushed),
             Err(error) => {
                 self.broken = Some(error);
                 Err(error)
             }
         }
+    }
+
+    /// Flies the interval that waits, if it is complete.
+    fn fly(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        if self.keeps_states {
+            self.truth.push_sample(sample)?;
+        }
+        let [simulator] = &mut *self.simulator;
+        while simulator.step()? == Step::Done {
+            self.truth.push_interval(simulator, self.keeps_states)?;
+        }
+        Ok(())
     }
 
     /// Adds the next increment of the record.
@@ -92,7 +113,7 @@ impl Feed {
     pub fn solve(&mut self) -> Result<&Identified, Error> {
         self.check_path()?;
         let mut found = room(1)?;
-        found.push(identify(&self.path, &self.record, &self.request)?);
+        found.push(identify(self.truth.path(), &self.record, &self.request)?);
         let [found] = &**self.found.insert(only(found)?);
         Ok(found)
     }
@@ -105,19 +126,32 @@ impl Feed {
         }
     }
 
+    /// Identifies the first half of the rows that the path has, and checks what was found in the other half. After an error, what was found
+    /// before stays.
+    pub fn check(&mut self, request: &CheckRequest) -> Result<&Check, Error> {
+        self.check_path()?;
+        request.validate()?;
+        if !self.keeps_states {
+            return Err(Error::bad_state(
+                "the states of the path were not kept: ask for the check beforehand",
+            ));
+        }
+        let mut place = room(1)?;
+        let (found, other_half) = identify_first_half(&self.truth, &self.record, &self.request)?;
+        let checked = check(&self.truth, &found, other_half, request)?;
+        place.push(found);
+        self.found = Some(only(place)?);
+        Ok(self.checked.insert(checked))
+    }
+
+    /// What [`Self::check`] found last.
+    pub fn checked(&self) -> Result<&Check, Error> {
+        self.checked.as_ref().ok_or_else(|| Error::bad_state("nothing was checked yet"))
+    }
+
     fn check_path(&self) -> Result<(), Error> {
         self.broken.map_or(Ok(()), Err)
     }
-}
-
-/// Flies the interval that waits, if it is complete.
-fn fly(simulator: &mut Simulator, path: &mut IdealPath) -> Result<(), Error> {
-    while simulator.step()? == Step::Done {
-        if let Some(imu) = simulator.imu() {
-            path.push(imu.time_s, imu.interval_s, &imu.ideal)?;
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -130,7 +164,7 @@ mod tests {
     /// No host makes the library take more rows than the bound, and a row that is rejected changes nothing.
     #[test]
     fn rows_are_bounded_and_checked() {
-        let mut feed = Feed::with_most(&Options::default(), &Request::default(), 3).unwrap();
+        let mut feed = Feed::with_most(&Options::default(), &Request::default(), true, 3).unwrap();
         let place = Geodetic { latitude_rad: 0.7, longitude_rad: 0.0, height_m: 0.0 };
         let sample = |time_s: f64| FlightSample::at_rest(time_s, place, Euler::default());
         let row = |time_s: f64| RecordedIncrement { time_s, interval_s: 0.1, increment: Increment::ZERO };
@@ -147,5 +181,6 @@ mod tests {
         assert_eq!(increments, "increments = 4: must be from 1 to 3");
         assert_eq!((feed.samples, feed.record.len()), (3, 3));
         assert!(feed.found().is_err() && feed.solve().is_err());
+        assert!(feed.checked().is_err() && feed.check(&CheckRequest::default()).is_err());
     }
 }

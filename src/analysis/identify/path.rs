@@ -6,6 +6,7 @@ use super::blocks::LARGEST;
 use crate::analysis::recommend::{Refusal, fly_looking};
 use crate::base::error::{Error, ErrorKind, Rule, check_range};
 use crate::base::memory::room_for_more;
+use crate::mechanization::Frame;
 use crate::signal::Increment;
 use crate::simulator::{Options, Simulator};
 use crate::truth::FlightSample;
@@ -31,8 +32,15 @@ pub struct IdealPath {
     integrals: Vec<Six>,
 }
 
+/// Options with which perfect sensors fly a path: of `options`, Earth, gravity, body axes and the checks of samples count.
+pub(super) fn of_path(options: &Options) -> Options {
+    let Options { ellipsoid, gravity, axes, intake, .. } = *options;
+    // Earth-fixed axes have no pole, and the damped vertical channel keeps the path for any time.
+    Options { ellipsoid, gravity, axes, intake, frame: Frame::EarthFixed, ..Options::default() }
+}
+
 impl IdealPath {
-    /// Flies `samples` with perfect sensors.
+    /// Flies `samples` with perfect sensors. Of `options`, Earth, gravity, body axes and the checks of samples count.
     pub fn fly(
         options: &Options,
         samples: impl Iterator<Item = Result<FlightSample, Error>>,
@@ -46,7 +54,7 @@ impl IdealPath {
         samples: impl Iterator<Item = Result<FlightSample, Error>>,
         mut read: impl FnMut(&Simulator) -> Result<(), Error>,
     ) -> Result<Self, Refusal> {
-        let mut simulator = Simulator::new(options)?;
+        let mut simulator = Simulator::new(&of_path(options))?;
         let mut path = Self::default();
         fly_looking(&mut simulator, samples, |_, simulator| {
             if let Some(imu) = simulator.imu() {

@@ -1,5 +1,7 @@
 //! Records that cannot be identified: each is named with its cause.
 
+use sins::signal::Increment;
+
 use super::*;
 
 /// What `identify` says of a record along aerobatics whose rows are changed.
@@ -119,6 +121,42 @@ fn a_short_record_is_found_on_a_long_path() {
         error.unwrap_err().to_string(),
         "request.shift_s = 1000000: leaves the path and the record no time in common"
     );
+}
+
+/// Forces that change sign have a small mean: their changes tell that all three are reversed, which is another fault than one sign.
+#[test]
+fn forces_of_both_signs_that_are_reversed_are_named() {
+    let (mut path, mut record) = (IdealPath::default(), Vec::new());
+    let interval_s = 0.02;
+    let mut draws = Draws::new(3);
+    for row in 1..6000_u32 {
+        let time_s = interval_s * f64::from(row);
+        let wave = |amplitude: f64, [x, y, z]: [f64; 3]| {
+            amplitude * Vector3::new((x * time_s).sin(), (y * time_s).sin(), (z * time_s).sin())
+        };
+        let angle = wave(0.5 * interval_s, [0.7, 1.1, 1.7]);
+        let velocity = wave(8.0 * interval_s, [0.9, 1.3, 0.53]);
+        path.push(time_s, interval_s, &Increment { angle, velocity }).unwrap();
+        let mut noise = |size: f64| Vector3::from_fn(|_, _| draws.within(-size, size));
+        // The bias along the mean of the path's forces hides their sign.
+        let velocity = velocity + noise(1e-3) + Vector3::repeat(-0.4 * interval_s);
+        let increment = Increment { angle: angle + noise(1e-5), velocity };
+        record.push(RecordedIncrement { time_s, interval_s, increment });
+    }
+    let said = |signs: [f64; 3]| {
+        let mut record = record.clone();
+        record.iter_mut().for_each(|row| row.increment.velocity.component_mul_assign(&Vector3::from(signs)));
+        let answer = identify(&path, &record, &Request::default());
+        answer.err().map_or("accepted".to_owned(), |error| error.to_string())
+    };
+    assert_eq!(said([1.0; 3]), "accepted");
+    let reversed = said([-1.0; 3]);
+    assert!(
+        reversed.starts_with("record.velocity = -0.99") && reversed.contains("opposite sign"),
+        "{reversed}"
+    );
+    let one = said([1.0, 1.0, -1.0]);
+    assert!(one.starts_with("record.velocity = 0.99") && one.contains("left-handed axes"), "{one}");
 }
 
 /// A path whose positions are late against its attitude has other forces than the sensors measured. That is what is said, and no jump of a

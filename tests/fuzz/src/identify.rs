@@ -22,7 +22,8 @@ fn increments(samples: &[sins_flight_sample]) -> Vec<sins_recorded_increment> {
 /// Identifies a record along `samples`.
 pub fn check_identify(samples: &[sins_flight_sample]) {
     let mut identify = null_mut();
-    assert_eq!(call!(sins_identify_create(null(), null(), &mut identify)), SINS_OK);
+    let request = sins_identify_request { flags: SINS_IDENTIFY_STATES, ..init() };
+    assert_eq!(call!(sins_identify_create(null(), &request, &mut identify)), SINS_OK);
     let _ = call!(sins_identify_push_samples(identify, samples.as_ptr(), samples.len()));
     let record = increments(samples);
     let _ = call!(sins_identify_push_increments(identify, record.as_ptr(), record.len()));
@@ -38,5 +39,14 @@ pub fn check_identify(samples: &[sins_flight_sample]) {
         call!(sins_identify_get_scene(identify, buffer, capacity, needed))
     });
     assert_eq!(text.is_some(), is_solved);
+    let of_check = sins_identify_check_request { twins: 40, ..init() };
+    let mut checked = init::<sins_identified_check>();
+    let is_checked = call!(sins_identify_check(identify, &of_check, &mut checked)) == SINS_OK;
+    for index in 0..if is_checked { checked.spans } else { 1 } {
+        let mut span = init::<sins_identified_span>();
+        let status = call!(sins_identify_get_span(identify, index as usize, &mut span));
+        assert_eq!(status, if is_checked { SINS_OK } else { SINS_ERROR_BAD_STATE });
+        assert!(span.real_m.is_finite() && span.predicted_m.is_finite(), "{span:?}");
+    }
     assert_eq!(call!(sins_identify_destroy(identify)), SINS_OK);
 }

@@ -98,7 +98,7 @@ pub fn remark(analysis: &Analysis) -> Option<String> {
 /// The log in one line.
 pub fn source(log: &Log) -> String {
     let rate = significant(1.0 / log.interval_s);
-    let counted = if log.is_counted { " (--rate; the time stamps are not used)" } else { "" };
+    let counted = log.counted();
     let remarks: String = log.remarks.iter().map(|remark| format!("; {remark}")).collect();
     format!(
         "{}: {} samples at {rate} Hz{counted}, {}{remarks}",

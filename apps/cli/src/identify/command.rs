@@ -101,8 +101,14 @@ impl Order {
         Ok(self.check.then_some(request))
     }
 
-    /// Checks that not both inputs are standard input.
+    /// Checks that not both inputs are standard input, and that no setting of the record is without effect.
     pub fn check_inputs(&self) -> Result<(), Failure> {
+        let of_imu = self.settings.set.iter().find(|text| text.trim_start().starts_with("imu."));
+        if let Some(text) = of_imu.filter(|_| !self.imu_columns.is_empty()) {
+            return Err(Failure::new(format!(
+                "--set {text}: has no effect beside --imu-columns, by which the record is read without an [imu]; expected one of both"
+            )));
+        }
         if self.truth == "-" && self.imu == Path::new("-") {
             return Err(Failure::new(
                 "TRUTH and --imu are both \"-\": standard input is one file; expected the name of the other",

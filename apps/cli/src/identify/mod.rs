@@ -13,7 +13,7 @@ mod table;
 pub use command::Order;
 
 use sins::Error;
-use sins::analysis::identify::check::{Check, CheckRequest, Truth, check as fly_twins, halves};
+use sins::analysis::identify::check::{Check, CheckRequest, Truth, check as fly_twins, identify_first_half};
 use sins::analysis::identify::text::MARK;
 use sins::analysis::identify::{IdealPath, Identified, Request, identify};
 use sins::analysis::recommend::Refusal;
@@ -97,11 +97,9 @@ fn identify_and_check(
 ) -> Result<(Identified, Check), Failure> {
     let truth = flown(given, |samples| Truth::fly(&given.scene.simulator_options(), samples))?;
     let unfit = |error: Error| Failure::of_file(order.record(), &sentence(&error, record, order));
-    let whole = identify(truth.path(), &record.increments, request).map_err(unfit)?;
-    let (first, second) = halves(&truth, &whole, &record.increments).map_err(unfit)?;
-    let found = identify(truth.path(), first, request).map_err(unfit)?;
+    let (found, other_half) = identify_first_half(&truth, &record.increments, request).map_err(unfit)?;
     let _flying = Progress::working(format!("flying {} twins", of_check.twins));
-    match fly_twins(&truth, &found, second, of_check) {
+    match fly_twins(&truth, &found, other_half, of_check) {
         Ok(checked) => Ok((found, checked)),
         Err(error) => Err(Failure::of_file(order.record(), &format!("the half that is checked: {error}"))),
     }

@@ -15,6 +15,8 @@ pub struct SensorRecord {
     /// Name of its file.
     pub name: String,
     pub interval_s: f64,
+    /// What is said of the rate.
+    pub counted: &'static str,
     /// Names of the columns: gyros, then accelerometers.
     pub columns: Vec<String>,
     pub increments: Vec<RecordedIncrement>,
@@ -75,9 +77,10 @@ impl SensorRecord {
         let mut increments: Vec<RecordedIncrement> = (0..log.count()).map(row).collect();
         // A row of the same stamp has nothing to say of when it was.
         increments.dedup_by(|next, before| next.time_s <= before.time_s);
+        let counted = log.counted();
         let mapping = log.taken.map(|taken| if order.reversed { reversed(*taken) } else { *taken });
         let Log { name, interval_s, remarks, .. } = log;
         let is_described = source.mapping.is_some();
-        Ok(Self { name, interval_s, columns, increments, remarks, is_described, mapping })
+        Ok(Self { name, interval_s, counted, columns, increments, remarks, is_described, mapping })
     }
 }

@@ -19,9 +19,10 @@ pub fn text(given: &Given, record: &SensorRecord, found: &Identified) -> String 
     let used = time_text(found.blocks as f64 * found.block_s);
     let remarks: String = record.remarks.iter().map(|remark| format!("; {remark}")).collect();
     let mut text = format!(
-        "{}: {} rows at {rate} Hz along {}, {used} identified{remarks}; 95 % intervals\n\n",
+        "{}: {} rows at {rate} Hz{} along {}, {used} identified{remarks}; 95 % intervals\n\n",
         record.name,
         record.increments.len(),
+        record.counted,
         given.name
     );
     text += &format!("columns: {}\n", record.columns.join(", "));

@@ -60,18 +60,21 @@ impl Log {
             0 => Progress::working(what),
             bytes => Progress::counting(what, bytes as usize),
         };
-        Self::from_input(source, progress.reading(input))
-            .map_err(|failure| source.of_table(begin(path, failure)))
+        Self::from_input(source, progress.reading(input)).map_err(|failure| source.of_table(failure))
     }
 
     fn from_input(source: &Source<'_>, input: impl Read) -> Result<Self, Failure> {
+        let rows = Rows::read(source, input).map_err(|unread| begin(&unread.file, unread.failure))?;
+        Self::from_rows(source, rows).map_err(|failure| begin(source.path, failure))
+    }
+
+    fn from_rows(source: &Source<'_>, mut rows: Rows) -> Result<Self, Failure> {
         let path = source.path;
-        let mut rows = Rows::read(source, input)?;
         if rows.count < FEWEST_SAMPLES {
             let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", rows.count);
             return Err(Failure::of_file(path, &what));
         }
-        let is_counted = source.rate_hz.is_some() && rows.time.is_some();
+        let is_counted = source.rate_hz.is_some() && rows.has_stamps;
         let time = rows.time.take();
         let (stamps, all_s) = stamps(source, &rows, time)?;
         let times_s = times(&stamps, all_s);
@@ -100,6 +103,11 @@ impl Log {
         }
         let taken = rows.taken;
         Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: false, times_s, taken })
+    }
+
+    /// What is said of the rate.
+    pub fn counted(&self) -> &'static str {
+        if self.is_counted { " (--rate; the time stamps are not used)" } else { "" }
     }
 
     pub fn count(&self) -> usize {

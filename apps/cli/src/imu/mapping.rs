@@ -15,6 +15,10 @@ pub fn of_scene(scene: &Scene) -> Option<&LogMapping> {
 
 /// The `[imu]` of the file of --imu-map, with what `set` (--set) sets of `imu` in addition.
 pub fn of_file(path: &Path, set: &[String]) -> Result<LogMapping, Failure> {
+    if path == Path::new("-") {
+        let what = "expected the name of a file: standard input is a record (--imu -), and no description";
+        return Err(Failure::new(format!("--imu-map -: {what}")));
+    }
     let of_imu = set.iter().filter(|text| text.trim_start().starts_with("imu.")).cloned();
     let settings = Settings { columns: Some(path.to_owned()), set: of_imu.collect(), ..Settings::default() };
     let scene = settings.mappings()?;

@@ -1,9 +1,9 @@
 //! The rows of a record: with columns that their names say, or those of `[imu]`.
 
 use std::io::Read as Input;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use sins::log::{Clock, ImuTable, LogMapping, TimeFormat};
+use sins::log::{Clock, IMU_QUANTITIES, ImuColumn, ImuTable, LogMapping, TimeFormat};
 use sins::scene::excerpt;
 
 use super::begin::{Plain, plain};
@@ -59,6 +59,8 @@ pub struct Rows {
     pub columns: Vec<Read>,
     /// Name of the column of stamps, and the stamps [s].
     pub time: Option<(String, Vec<f64>)>,
+    /// Whether the record has stamps, also if its rows are counted.
+    pub has_stamps: bool,
     /// Rate of rows that are counted; otherwise there are stamps.
     pub rate_hz: Option<f64>,
     pub count: usize,
@@ -70,11 +72,18 @@ pub struct Rows {
     pub taken: Option<Box<LogMapping>>,
 }
 
+/// Why rows cannot be read, and in which file: that of the record, or one beside it.
+pub struct Unread {
+    pub file: PathBuf,
+    pub failure: Failure,
+}
+
 impl Rows {
-    pub fn read(source: &Source<'_>, input: impl Input) -> Result<Self, Failure> {
+    pub fn read(source: &Source<'_>, input: impl Input) -> Result<Self, Unread> {
         match source.mapping {
             Some(mapping) => Self::of_mapping(source, mapping, input),
-            None => Self::of_names(source, input),
+            None => Self::of_names(source, input)
+                .map_err(|failure| Unread { file: source.path.to_owned(), failure }),
         }
     }
 
@@ -126,53 +135,64 @@ impl Rows {
         let columns = columns.collect::<Result<_, Failure>>()?;
         let (count, left_out) = (table.rows(), table.left_out());
         let line = Box::new(move |row| table.line(row));
-        Ok(Self { columns, time, rate_hz, count, left_out, line, taken })
+        let has_stamps = time.is_some();
+        Ok(Self { columns, time, has_stamps, rate_hz, count, left_out, line, taken })
     }
 
     /// The columns that `[imu]` says.
-    fn of_mapping(source: &Source<'_>, mapping: &LogMapping, input: impl Input) -> Result<Self, Failure> {
+    fn of_mapping(source: &Source<'_>, mapping: &LogMapping, input: impl Input) -> Result<Self, Unread> {
         let path = source.path;
+        let unread = |failure: Failure| Unread { file: path.to_owned(), failure };
         let mut taken = Box::new(mapping.clone());
         if source.rate_hz.is_some() {
             (taken.time_format, taken.rate_hz) = (TimeFormat::Row, source.rate_hz);
         }
-        let bytes = read_whole(path, input)?;
-        let mut table = ImuTable::parse(&bytes, &taken, "").map_err(|error| of_log(path, error))?;
+        let bytes = read_whole(path, input).map_err(unread)?;
+        let table = ImuTable::parse(&bytes, &taken, "").map_err(|error| of_log(path, error));
+        let mut table = table.map_err(unread)?;
         drop(bytes);
         if table.lines.len() > MOST_ROWS {
-            return Err(Failure::of_file(path, &format!("more than {MOST_ROWS} rows")));
+            return Err(unread(Failure::of_file(path, &format!("more than {MOST_ROWS} rows"))));
         }
+        let mut columns = read_as(std::mem::take(&mut table.columns), path).map_err(unread)?;
         let mut files: Vec<&str> = taken.columns.iter().map(|column| column.file.as_str()).collect();
         files.sort_unstable();
         files.dedup();
         for file in files.into_iter().filter(|file| !file.is_empty()) {
-            let other = beside(path, file)?;
-            let of_other =
-                ImuTable::parse(&read_bytes(&other)?, &taken, file).map_err(|error| of_log(&other, error))?;
-            check_stamps(&table, &of_other, path, &other)?;
-            table.columns.extend(of_other.columns);
+            // A file that is not there has no lines.
+            let other = beside(path, file).map_err(|failure| Unread { file: PathBuf::new(), failure })?;
+            let of_other = || {
+                let parsed = ImuTable::parse(&read_bytes(&other)?, &taken, file);
+                let mut of_other = parsed.map_err(|error| of_log(&other, error))?;
+                check_stamps(&table, &of_other, path, &other)?;
+                read_as(std::mem::take(&mut of_other.columns), &other)
+            };
+            let of_other = of_other().map_err(|failure| Unread { file: other.clone(), failure })?;
+            columns.extend(of_other);
         }
         // In the order of the keys: gyros, then accelerometers.
-        let place = |key: &str| sins::log::IMU_QUANTITIES.iter().position(|its| key.ends_with(its.key));
-        table.columns.sort_by_key(|column| place(&column.key));
-        let columns = table.columns.into_iter().map(|column| {
-            let quantity = mapped(&column).map_err(|failure| Failure::of_file(path, &failure))?;
-            Ok(Read {
-                name: column.name,
-                quantity,
-                scale: column.scale,
-                add: column.add,
-                numbers: column.numbers,
-            })
-        });
-        let (columns, lines) = (columns.collect::<Result<Vec<_>, Failure>>()?, table.lines);
+        columns.sort_by_key(|(place, _)| *place);
+        let columns = columns.into_iter().map(|(_, column)| column).collect();
+        let lines = table.lines;
         let rate_hz = taken.rate_hz.filter(|_| taken.time_format == TimeFormat::Row);
         let time = rate_hz.is_none().then_some((table.time, table.times_s));
         let left_out = table.left_out.map(|(count, line)| (count as usize, line));
         let count = lines.len();
         let line = Box::new(move |row: usize| lines.get(row).copied().unwrap_or_default());
-        Ok(Self { columns, time, rate_hz, count, left_out, line, taken: Some(taken) })
+        let has_stamps = mapping.time_format != TimeFormat::Row;
+        Ok(Self { columns, time, has_stamps, rate_hz, count, left_out, line, taken: Some(taken) })
     }
+}
+
+/// The columns of the table in `file`, each with the place of its key.
+fn read_as(columns: Vec<ImuColumn>, file: &Path) -> Result<Vec<(usize, Read)>, Failure> {
+    let read = |column: ImuColumn| {
+        let quantity = mapped(&column).map_err(|failure| Failure::of_file(file, &failure))?;
+        let place = IMU_QUANTITIES.iter().position(|its| column.key.ends_with(its.key)).unwrap_or_default();
+        let ImuColumn { name, scale, add, numbers, .. } = column;
+        Ok((place, Read { name, quantity, scale, add, numbers }))
+    };
+    columns.into_iter().map(read).collect()
 }
 
 /// Rejects a file beside the record whose rows are not at the times of the rows of the record: nothing is interpolated, which would

@@ -347,6 +347,19 @@ fn a_second_file_has_the_same_stamps() {
     );
     std::fs::remove_file(folder.join("accel.csv")).unwrap();
     assert!(rejected(&folder, &order).contains("accel.csv"));
+    // The lines that are quoted are those of the file with the fault.
+    let mut faulty = accels;
+    faulty[3][1] = "down".to_owned();
+    write(&folder, "accel.csv", table("t,x,y,z", ",", &faulty));
+    let errors = rejected(&folder, &order);
+    assert!(errors.starts_with("accel.csv:5: ") || errors.starts_with("./accel.csv:5: "), "{errors}");
+    assert!(errors.contains("accel.csv begins:") && errors.contains(",down,"), "{errors}");
+    assert!(!errors.contains("gyro.csv"), "{errors}");
+    write(&folder, "accel.csv", table("t,x,y,other", ",", &faulty));
+    let errors = rejected(&folder, &order);
+    assert!(errors.contains("accel.csv begins:") && !errors.contains("gyro.csv begins:"), "{errors}");
+    std::fs::remove_file(folder.join("accel.csv")).unwrap();
+    assert!(!rejected(&folder, &order).contains(" begins:"));
 }
 
 /// The noise of a record is the same by `[imu]` as by columns of the command line, to the last digit of its tables.
@@ -431,6 +444,69 @@ fn a_record_comes_from_standard_input() {
     assert!(folder.join("imu_allan.html").exists());
     let (code, ..) = run(&folder, &["identify", "-", "--imu", "imu.csv"]);
     assert_eq!(code, 2);
+}
+
+/// A comment that begins behind blanks is none of the rows, whether the columns are described or found.
+#[test]
+fn comments_begin_behind_blanks_too() {
+    let folder = folder("comments");
+    let rows = rows(&folder);
+    let (sensors, imu) = found(&folder, "imu.csv", &[]);
+    write(&folder, "map.toml", &imu);
+    let text = read(folder.join("imu.csv"));
+    let lines: Vec<&str> = text.lines().collect();
+    let with = |comment: &str| [&lines[..50], &[comment], &lines[50..]].concat().join("\n") + "\n";
+    for comment in ["# at rest", "  # at rest, engine off", "\t# at rest"] {
+        write(&folder, "said.csv", with(comment));
+        for more in [&[][..], &["--imu-map", "map.toml"]] {
+            assert_eq!(found(&folder, "said.csv", more), (sensors.clone(), imu.clone()), "{comment:?}");
+        }
+    }
+    // What begins behind blanks and is no comment stays a fault, at its line.
+    write(&folder, "said.csv", with("  at rest"));
+    let order = [&["identify"], &TRUTH[..], &["--imu", "said.csv", "--imu-map", "map.toml"]].concat();
+    assert!(rejected(&folder, &order).contains("said.csv:51: "));
+    assert_eq!(rows.len() + 1, lines.len());
+}
+
+/// What `--rate` does is said with a description too; a description is no standard input, and nothing is set without effect.
+#[test]
+fn what_an_option_does_is_said() {
+    let folder = folder("options");
+    rows(&folder);
+    let (_, imu) = found(&folder, "imu.csv", &[]);
+    write(&folder, "map.toml", &imu);
+    let of = |more: &[&'static str]| {
+        [&["identify"], &TRUTH[..], &["--imu", "imu.csv", "-o", "s.toml", "--force"], more].concat()
+    };
+    let counted = "rows at 50.00 Hz (--rate; the time stamps are not used) along ";
+    for (more, is_said) in [
+        (&["--rate", "50"][..], true),
+        (&["--rate", "50", "--imu-map", "map.toml"], true),
+        (&["--imu-map", "map.toml"], false),
+        (&[], false),
+    ] {
+        assert_eq!(done(&folder, &of(more)).contains(counted), is_said, "{more:?}");
+    }
+    // A record without stamps has none that are not used.
+    let row = imu.lines().filter(|line| !line.starts_with("time = "));
+    write(
+        &folder,
+        "row.toml",
+        row.collect::<Vec<_>>().join("\n") + "\ntime_format = \"row\"\nrate_hz = 50\n",
+    );
+    assert!(!done(&folder, &of(&["--rate", "50", "--imu-map", "row.toml"])).contains("--rate;"));
+    // Also where a file has this name.
+    write(&folder, "-", &imu);
+    for order in [of(&["--imu-map", "-"]), vec!["allan", "imu.csv", "--imu-map", "-"]] {
+        let errors = rejected(&folder, &order);
+        assert!(errors.contains("--imu-map -: expected the name of a file"), "{errors}");
+    }
+    let columns = "time_s=s,angle_increment_x_rad,angle_increment_y_rad,angle_increment_z_rad,velocity_increment_x_m_s,\
+         velocity_increment_y_m_s,velocity_increment_z_m_s";
+    done(&folder, &of(&["--imu-columns", columns]));
+    let errors = rejected(&folder, &of(&["--imu-columns", columns, "--set", "imu.separator=tab"]));
+    assert!(errors.contains("--set imu.separator=tab: has no effect beside --imu-columns"), "{errors}");
 }
 
 /// Forces of the other sign: what is advised is not what was given, and mends it.

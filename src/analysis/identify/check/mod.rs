@@ -24,7 +24,7 @@
 //!   which 95 % of the twins keep at all durations together. A right model agrees in 90 % of the cases: the flicker noise of a twin begins
 //!   anew, while the slow part of the real one is in the bias that was removed.
 //!
-//! The number of flights, twins and durations is bounded; memory is that of the path and the record.
+//! The number of flights, twins and durations is bounded. Memory is that of the path and the record, and of the record of one twin.
 
 mod drift;
 mod starts;
@@ -35,7 +35,7 @@ mod verdict;
 pub use truth::Truth;
 pub use verdict::{Agreement, Span};
 
-use super::{Identified, RecordedIncrement};
+use super::{Identified, RecordedIncrement, Request, identify};
 use crate::base::error::{Error, Rule, check_integer, check_range};
 use crate::base::memory::room;
 use drift::{Steps, medians};
@@ -106,8 +106,19 @@ pub struct Check {
     pub agreement: Agreement,
 }
 
+/// Identifies the first half of the rows of `record` that the path has. Returns what was found, and the other half.
+pub fn identify_first_half<'a>(
+    truth: &Truth,
+    record: &'a [RecordedIncrement],
+    request: &Request,
+) -> Result<(Identified, &'a [RecordedIncrement]), Error> {
+    let whole = identify(truth.path(), record, request)?;
+    let (first, other) = halves(truth, &whole, record)?;
+    Ok((identify(truth.path(), first, request)?, other))
+}
+
 /// Rows of the record that the path has, in two halves. `found` was identified from the whole record: it has the clock.
-pub fn halves<'a>(
+fn halves<'a>(
     truth: &Truth,
     found: &Identified,
     record: &'a [RecordedIncrement],

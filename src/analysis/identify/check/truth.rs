@@ -1,6 +1,6 @@
 //! The true states along a path, at any time.
 
-use super::super::path::{IdealPath, six_increment};
+use super::super::path::{IdealPath, of_path, six_increment};
 use crate::analysis::recommend::Refusal;
 use crate::base::error::Error;
 use crate::base::memory::room_for_one_more;
@@ -21,29 +21,74 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Flies `samples` with perfect sensors.
+    /// Without samples. Of `options`, Earth, gravity, body axes and the checks of samples count.
+    pub(in super::super) fn new(options: &Options) -> Self {
+        let options = of_path(options);
+        Self {
+            options,
+            earth: options.earth(),
+            samples: Vec::new(),
+            times_s: Vec::new(),
+            states: Vec::new(),
+            path: IdealPath::default(),
+        }
+    }
+
+    /// Flies `samples` with perfect sensors. Of `options`, Earth, gravity, body axes and the checks of samples count.
     pub fn fly(
         options: &Options,
         samples: impl Iterator<Item = Result<FlightSample, Error>>,
     ) -> Result<Self, Refusal> {
-        let options = Options { covariance: false, error_model: false, truth_summary: false, ..*options };
-        let (mut flown, mut times_s, mut states) = (Vec::new(), Vec::new(), Vec::new());
+        let mut truth = Self::new(options);
+        let mut flown = Vec::new();
         let kept = samples.map(|sample| {
             let sample = sample?;
             room_for_one_more(&mut flown)?;
             flown.push(sample);
             Ok(sample)
         });
-        let path = IdealPath::fly_reading(&options, kept, |simulator| {
-            if let Some(truth) = simulator.truth()? {
-                room_for_one_more(&mut times_s)?;
-                room_for_one_more(&mut states)?;
-                times_s.push(truth.time_s);
-                states.push(truth.navigation);
-            }
-            Ok(())
-        })?;
-        Ok(Self { options, earth: options.earth(), samples: flown, times_s, states, path })
+        let path = IdealPath::fly_reading(options, kept, |simulator| truth.push_state(simulator))?;
+        Ok(Self { samples: flown, path, ..truth })
+    }
+
+    /// Makes room for the interval of a sample; with `keeps_states` for the sample and its state too.
+    pub(in super::super) fn make_room(&mut self, keeps_states: bool) -> Result<(), Error> {
+        self.path.make_room()?;
+        if keeps_states {
+            room_for_one_more(&mut self.samples)?;
+            room_for_one_more(&mut self.times_s)?;
+            room_for_one_more(&mut self.states)?;
+        }
+        Ok(())
+    }
+
+    /// Adds a sample of the path.
+    pub(in super::super) fn push_sample(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        room_for_one_more(&mut self.samples)?;
+        self.samples.push(*sample);
+        Ok(())
+    }
+
+    /// Adds the interval that `simulator` has flown; with `keeps_states` its state too.
+    pub(in super::super) fn push_interval(
+        &mut self,
+        simulator: &Simulator,
+        keeps_states: bool,
+    ) -> Result<(), Error> {
+        let Some(imu) = simulator.imu() else { return Ok(()) };
+        self.path.push(imu.time_s, imu.interval_s, &imu.ideal)?;
+        if keeps_states { self.push_state(simulator) } else { Ok(()) }
+    }
+
+    /// Adds the state at the end of an interval.
+    fn push_state(&mut self, simulator: &Simulator) -> Result<(), Error> {
+        if let Some(truth) = simulator.truth()? {
+            room_for_one_more(&mut self.times_s)?;
+            room_for_one_more(&mut self.states)?;
+            self.times_s.push(truth.time_s);
+            self.states.push(truth.navigation);
+        }
+        Ok(())
     }
 
     /// The path that sensors are identified along.
@@ -78,5 +123,19 @@ impl Truth {
         simulator.start_navigation(from_s, &self.states[place])?;
         simulator.push_imu(&[six_increment(&(mean * length_s))], length_s)?;
         Ok(simulator.navigation()?.map(|solution| solution.navigation))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::identify::path::Six;
+
+    /// What the interface says of the memory of a path: 56 bytes a sample, with states 336.
+    #[test]
+    fn the_memory_of_a_sample_is_that_of_the_interface() {
+        let path = size_of::<f64>() + size_of::<Six>();
+        let states = size_of::<FlightSample>() + size_of::<f64>() + size_of::<Navigation>();
+        assert_eq!((path, path + states), (56, 336));
     }
 }
