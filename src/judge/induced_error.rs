@@ -48,7 +48,7 @@ impl InducedError {
 mod tests {
     use crate::earth::Earth;
     use crate::judge::Judge;
-    use crate::math::Euler;
+    use crate::base::math::Euler;
     use crate::truth::FlightSample;
     use crate::truth::STEPS;
 

@@ -158,7 +158,7 @@ impl Feed {
 mod tests {
     use super::*;
     use crate::earth::Geodetic;
-    use crate::math::Euler;
+    use crate::base::math::Euler;
     use crate::signal::Increment;
 
     /// No host makes the library take more rows than the bound, and a row that is rejected changes nothing.
