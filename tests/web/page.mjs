@@ -261,7 +261,7 @@ test("after any address the page works, and says what the address lacks", async 
     const works = async (page, hash) => {
         await press(page, "start");
         await until(page, /^(Flying|Finished)/);
-        await press(page, "stop");
+        await page.evaluate(() => document.querySelector('[data-do="stop"]').click()); // nothing happens if the flight has ended
         await until(page, /^(Stopped|Finished)/).catch(() => assert.fail(hash.slice(0, 30)));
     };
     for (const hash of none) {
