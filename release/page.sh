@@ -12,6 +12,7 @@ cd "$(dirname "$0")/.."
 . tests/support/node.sh
 
 wasm=${SINS_WASM:-target/wasm}
+need libdeflate-tools libdeflate-gzip
 [ -n "${SINS_WASM:-}" ] || release/wasm.sh "$wasm"
 node_packages "$uplot"
 node apps/page/pack/pack.mjs "$wasm" target/node/node_modules/uplot/dist "$out/sins.html"

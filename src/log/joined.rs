@@ -88,9 +88,12 @@ impl LogMapping {
         let is_read = |group: &usize| !(*group == ATTITUDE && self.is_coordinated);
         let keys = (0..GROUPS.len()).filter(is_read).flat_map(|group| GROUPS[group].1);
         let files = keys.map(|key| self.columns[place(key)].file.as_str());
-        let mut names: Vec<&str> = files.filter(|file| !file.is_empty()).collect();
-        names.sort_unstable();
-        names.dedup();
+        let mut names: Vec<&str> = Vec::new();
+        for file in files.filter(|file| !file.is_empty()) {
+            if let Err(place) = names.binary_search(&file) {
+                names.insert(place, file);
+            }
+        }
         names
     }
 }

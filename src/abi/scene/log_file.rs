@@ -75,9 +75,6 @@ pub(super) fn read_log(
     text: &[u8],
     files: &[(String, Vec<u8>)],
 ) -> Result<FlightLog, LogError> {
-    if scene.log.files().is_empty() {
-        return scene.read_log(text);
-    }
     let of_whole = |sentence| LogError::Fault(Fault { sentence, ..Fault::default() });
     let read = |name: &str| {
         let found = files.iter().find(|(given, _)| given == name).map(|(_, bytes)| bytes);
