@@ -46,9 +46,9 @@ impl InducedError {
 
 #[cfg(test)]
 mod tests {
+    use crate::base::math::Euler;
     use crate::earth::Earth;
     use crate::judge::Judge;
-    use crate::base::math::Euler;
     use crate::truth::FlightSample;
     use crate::truth::STEPS;
 

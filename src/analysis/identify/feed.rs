@@ -157,8 +157,8 @@ impl Feed {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::earth::Geodetic;
     use crate::base::math::Euler;
+    use crate::earth::Geodetic;
     use crate::signal::Increment;
 
     /// No host makes the library take more rows than the bound, and a row that is rejected changes nothing.
