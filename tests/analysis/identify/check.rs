@@ -89,3 +89,16 @@ fn a_model_with_a_third_of_the_noise_is_too_good_and_one_with_three_times_too_ba
         assert!(matches!(bad.agreement, Agreement::TooBad(1.5..6.0)), "{run}: {bad:#?}");
     }
 }
+
+/// The steps of a twin are those of the path: where the path has a fifth of the rate of the record and ends with it, no flight of a twin
+/// ends behind the path.
+#[test]
+fn a_record_of_a_higher_rate_than_the_path_is_checked_to_its_end() {
+    let (name, span_s) = FLIGHTS[1];
+    let flight = flight(name);
+    let samples = times(span_s).step_by(5).map(|time_s| flight.sample_at(time_s));
+    let truth = Truth::fly(&Options::default(), samples).unwrap();
+    let record = unit(&mut Draws::new(3), 0, false)(1.0).record(&flight, span_s);
+    let found = checked(&truth, &record, &record);
+    assert!(found.length_s > 248.0 && found.spans.len() == 4, "{found:?}");
+}

@@ -164,7 +164,10 @@ fn drift_m(
         simulator.correct(&error)?;
     }
     let mut end_s = begin_s;
-    for step in steps.0[first..].iter().take_while(|step| step.begin_s < start_s + duration_s) {
+    // Steps of a twin are those of the path, and may be longer than those of the record: none ends behind the path.
+    let (_, to_s) = truth.ends_s()?;
+    let is_flown = |step: &&Step| step.begin_s < start_s + duration_s && step.end_s <= to_s;
+    for step in steps.0[first..].iter().take_while(is_flown) {
         simulator.push_imu(&[step.increment], step.end_s - step.begin_s)?;
         end_s = step.end_s;
     }
