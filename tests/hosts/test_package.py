@@ -723,8 +723,9 @@ class Identification(unittest.TestCase):
         self.assertEqual((exact.verdict, exact.sentence), ("agrees", "the prediction agrees with the record"))
         for error, sentence, arguments in [
             (ValueError, "twins = 0: must be from 40 to 1000", {"twins": 0}),
-            (sins.Error, "request.twins = 39: must be from 40 to 1000", {"twins": 39}),
-            (sins.Error, "request.tilt_rad = 2: must be from 0 to 1", {"tilt_rad": 2}),
+            (ValueError, "twins = 39: must be from 40 to 1000", {"twins": 39}),
+            (ValueError, "twins = 4294967336: must be from 40 to 1000", {"twins": 2**32 + 40}),
+            (sins.Error, "request.tilt_rad = 2: must be from 0 to 0.3", {"tilt_rad": 2}),
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
                 found.check(**arguments)
