@@ -106,8 +106,19 @@ class Flights(unittest.TestCase):
                 scene.write_text(f'[flight]\nfile = "{name}.csv"\n[log]\n{"".join(keys)}')
                 runs.append(sins.fly(scene, every_s=1, **GRADE))
             self.assertTrue((runs[0].records == runs[1].records).all())
-            (pathlib.Path(folder) / "ATT.csv").unlink()
+            beside = pathlib.Path(folder) / "ATT.csv"
+            beside.unlink()
             self.assertRaisesRegex(FileNotFoundError, "ATT.csv", lambda: sins.fly(pathlib.Path(folder) / "POS.toml"))
+            # Nothing but a plain file in the folder of the log is read.
+            beside.mkdir()
+            self.assertRaisesRegex(ValueError, "ATT.csv: is no plain file", lambda: sins.fly(pathlib.Path(folder) / "POS.toml"))
+            beside.rmdir()
+            if os.name == "posix":
+                beside.symlink_to(PROJECT / "README.md")
+                self.assertRaisesRegex(ValueError, "ATT.csv: is a link to another folder", lambda: sins.fly(pathlib.Path(folder) / "POS.toml"))
+                beside.unlink()
+                beside.symlink_to("ALL.csv")
+                self.assertTrue((sins.fly(pathlib.Path(folder) / "POS.toml", every_s=1, **GRADE).records == runs[0].records).all())
 
     def test_a_trajectory_flies_as_the_log(self):
         flown = PROJECT / "c_examples/flights/fighter_aerobatics.csv"
