@@ -102,3 +102,15 @@ fn a_record_of_a_higher_rate_than_the_path_is_checked_to_its_end() {
     let found = checked(&truth, &record, &record);
     assert!(found.length_s > 248.0 && found.spans.len() == 4, "{found:?}");
 }
+
+/// A recorder writes a row late, right before the next one: both are one step.
+#[test]
+fn rows_that_follow_each_other_at_once_are_checked() {
+    let (flight, span_s, truth) = flown(FLIGHTS[0]);
+    let record = unit(&mut Draws::new(5), 0, false)(1.0).record(&flight, span_s);
+    let mut late = record.clone();
+    let place = 3 * record.len() / 4;
+    late[place].time_s = late[place + 1].time_s - 1e-6;
+    let [real_m, late_m] = [&record, &late].map(|record| checked(&truth, record, record).spans[0].real_m);
+    assert!((late_m / real_m - 1.0).abs() < 0.1, "{late_m} is not {real_m}");
+}

@@ -12,6 +12,7 @@ use crate::errors::correction::Correction;
 use crate::errors::navigation_minus_truth;
 use crate::signal::Increment;
 use crate::simulator::Simulator;
+use crate::truth::MIN_INTERVAL_S;
 
 /// Longest step, in lengths of an interval of the record, over which a signal is held: lost rows. A longer one is a gap.
 const HELD: f64 = 5.0;
@@ -52,8 +53,12 @@ impl Steps {
         let mut last_s = None;
         for row in record {
             let end_s = found.path_time_s(row.time_s);
-            let begin_s = last_s.unwrap_or(found.path_time_s(row.time_s - row.interval_s));
+            let begin_s = *last_s.get_or_insert(found.path_time_s(row.time_s - row.interval_s));
             let length_s = end_s - begin_s;
+            // Rows that follow each other at once are one step: none is shorter than the shortest that can be navigated.
+            if length_s < MIN_INTERVAL_S {
+                continue;
+            }
             // Stamps scatter and rows are lost: the mean signal holds for the time since the row before.
             let part = length_s / row.interval_s;
             let Increment { angle, velocity } = row.increment;
