@@ -502,9 +502,9 @@ typedef struct sins_identify_check_request {
     double position_m;
     /** Standard deviation of the velocity of the path, each axis, 0 to 1e3 [m/s]. */
     double velocity_m_s;
-    /** Standard deviation of the tilt of the path about east and about north, 0 to 1 [rad]. */
+    /** Standard deviation of the tilt of the path about east and about north, 0 to 0.3 [rad]. */
     double tilt_rad;
-    /** Standard deviation of the heading of the path, 0 to 1 [rad]. */
+    /** Standard deviation of the heading of the path, 0 to 0.3 [rad]. */
     double heading_rad;
 } sins_identify_check_request;
 

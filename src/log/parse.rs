@@ -210,7 +210,8 @@ impl TextRows<'_> {
     /// Reads the row of the names, or the first of the values of a table without them, and gives its line.
     fn header(&mut self, mapping: &LogMapping, row: &mut StringRecord) -> Result<u64, LogError> {
         let first = loop {
-            match self.next(row)? {
+            let next = if mapping.header > 0 { self.next(row)? } else { self.next_of_values(row)? };
+            match next {
                 Some(line) if line < mapping.header => {}
                 first => break first,
             }

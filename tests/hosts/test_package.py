@@ -106,8 +106,19 @@ class Flights(unittest.TestCase):
                 scene.write_text(f'[flight]\nfile = "{name}.csv"\n[log]\n{"".join(keys)}')
                 runs.append(sins.fly(scene, every_s=1, **GRADE))
             self.assertTrue((runs[0].records == runs[1].records).all())
-            (pathlib.Path(folder) / "ATT.csv").unlink()
+            beside = pathlib.Path(folder) / "ATT.csv"
+            beside.unlink()
             self.assertRaisesRegex(FileNotFoundError, "ATT.csv", lambda: sins.fly(pathlib.Path(folder) / "POS.toml"))
+            # Nothing but a plain file in the folder of the log is read.
+            beside.mkdir()
+            self.assertRaisesRegex(ValueError, "ATT.csv: is no plain file", lambda: sins.fly(pathlib.Path(folder) / "POS.toml"))
+            beside.rmdir()
+            if os.name == "posix":
+                beside.symlink_to(PROJECT / "README.md")
+                self.assertRaisesRegex(ValueError, "ATT.csv: is a link to another folder", lambda: sins.fly(pathlib.Path(folder) / "POS.toml"))
+                beside.unlink()
+                beside.symlink_to("ALL.csv")
+                self.assertTrue((sins.fly(pathlib.Path(folder) / "POS.toml", every_s=1, **GRADE).records == runs[0].records).all())
 
     def test_a_trajectory_flies_as_the_log(self):
         flown = PROJECT / "c_examples/flights/fighter_aerobatics.csv"
@@ -723,8 +734,9 @@ class Identification(unittest.TestCase):
         self.assertEqual((exact.verdict, exact.sentence), ("agrees", "the prediction agrees with the record"))
         for error, sentence, arguments in [
             (ValueError, "twins = 0: must be from 40 to 1000", {"twins": 0}),
-            (sins.Error, "request.twins = 39: must be from 40 to 1000", {"twins": 39}),
-            (sins.Error, "request.tilt_rad = 2: must be from 0 to 1", {"tilt_rad": 2}),
+            (ValueError, "twins = 39: must be from 40 to 1000", {"twins": 39}),
+            (ValueError, "twins = 4294967336: must be from 40 to 1000", {"twins": 2**32 + 40}),
+            (sins.Error, "request.tilt_rad = 2: must be from 0 to 0.3", {"tilt_rad": 2}),
         ]:
             with self.subTest(sentence), self.assertRaisesRegex(error, sentence):
                 found.check(**arguments)

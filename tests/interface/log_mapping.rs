@@ -129,6 +129,20 @@ fn numbers_without_names() {
     assert_same(read(mapping, &rows.concat()).samples(), 82799.5);
 }
 
+/// Comments behind blanks, also where the first row of a table without names would stand.
+#[test]
+fn comments_behind_blanks_are_no_rows() {
+    let mapping = "header = 0\ntime = { col = 1 }\nlatitude = { col = 2 }\nlongitude = { col = 3 }\nheight = { col = 4 }\n\
+        roll = 0\npitch = 0\nheading = 0";
+    let rows = ["0,48,11,300\n", "1,48,11,300\n"];
+    let bare = read(mapping, &rows.concat());
+    for place in 0..=2 {
+        let mut lines = rows.to_vec();
+        lines.insert(place, " \t# at rest, engine off\n");
+        assert_eq!(read(mapping, &lines.concat()).samples(), bare.samples(), "{place}");
+    }
+}
+
 /// Semicolons with decimal commas, milliseconds, a second line of names, body axes; what is not mapped has its own name.
 #[test]
 fn decimal_commas_and_velocities_of_the_body() {

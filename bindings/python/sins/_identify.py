@@ -180,7 +180,7 @@ class Identified:
         tilt_rad about east and about north, heading_rad. A file or a log of the path is read again. It takes seconds to minutes; progress: a
         line on standard error shows the time that has passed. docs/identify.md explains the verdict.
         """
-        if twins < 1:
+        if not 40 <= twins <= 1000:
             raise ValueError(f"twins = {twins}: must be from 40 to 1000")
         request = c.identify_check_request(twins=twins, position_m=position_m, velocity_m_s=velocity_m_s, tilt_rad=tilt_rad, heading_rad=heading_rad)
         handle, scene = self._given.handle(c.IDENTIFY_STATES)

@@ -229,6 +229,17 @@ def _all(read: Callable[[int], Any]) -> "Iterator[Any]":
         return
 
 
+def _beside(log: str, name: str) -> str:
+    """The file `name` beside a log: a plain file in its folder, or in that to which a link to the log leads. A scene may be another's."""
+    place = os.path.join(os.path.dirname(log), name)
+    folders = (os.path.realpath(os.path.dirname(log)), os.path.dirname(os.path.realpath(log)))
+    if os.path.dirname(os.path.realpath(place)) not in folders:
+        raise ValueError(f"{place}: is a link to another folder: expected a file beside the log")
+    if os.path.exists(place) and not os.path.isfile(place):
+        raise ValueError(f"{place}: is no plain file: expected one beside the log")
+    return place
+
+
 class Scene:
     """A scene with its settings and its log, ready to be flown; not for users, who give its parts to the functions of the package."""
 
@@ -277,7 +288,7 @@ class Scene:
             with open(path, "rb") as file:
                 text = file.read()
             for name in _all(lambda index: c.scene_log_file_name(self.handle, index)):
-                with open(os.path.join(os.path.dirname(path), name), "rb") as file:
+                with open(_beside(path, name), "rb") as file:
                     c.scene_give_log_file(self.handle, name, file.read())
             self.log = in_background(lambda: c.log_parse(text, self.handle)[0])
             warn(finding for finding in findings(self.log, c.scene_get_options(self.handle)) if finding.level != "note")

@@ -29,9 +29,9 @@ pub struct sins_identify_check_request {
     pub position_m: f64,
     /// Standard deviation of the velocity of the path, each axis, 0 to 1e3 [m/s].
     pub velocity_m_s: f64,
-    /// Standard deviation of the tilt of the path about east and about north, 0 to 1 [rad].
+    /// Standard deviation of the tilt of the path about east and about north, 0 to 0.3 [rad].
     pub tilt_rad: f64,
-    /// Standard deviation of the heading of the path, 0 to 1 [rad].
+    /// Standard deviation of the heading of the path, 0 to 0.3 [rad].
     pub heading_rad: f64,
 }
 

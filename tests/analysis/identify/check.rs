@@ -89,3 +89,28 @@ fn a_model_with_a_third_of_the_noise_is_too_good_and_one_with_three_times_too_ba
         assert!(matches!(bad.agreement, Agreement::TooBad(1.5..6.0)), "{run}: {bad:#?}");
     }
 }
+
+/// The steps of a twin are those of the path: where the path has a fifth of the rate of the record and ends with it, no flight of a twin
+/// ends behind the path.
+#[test]
+fn a_record_of_a_higher_rate_than_the_path_is_checked_to_its_end() {
+    let (name, span_s) = FLIGHTS[1];
+    let flight = flight(name);
+    let samples = times(span_s).step_by(5).map(|time_s| flight.sample_at(time_s));
+    let truth = Truth::fly(&Options::default(), samples).unwrap();
+    let record = unit(&mut Draws::new(3), 0, false)(1.0).record(&flight, span_s);
+    let found = checked(&truth, &record, &record);
+    assert!(found.length_s > 248.0 && found.spans.len() == 4, "{found:?}");
+}
+
+/// A recorder writes a row late, right before the next one: both are one step.
+#[test]
+fn rows_that_follow_each_other_at_once_are_checked() {
+    let (flight, span_s, truth) = flown(FLIGHTS[0]);
+    let record = unit(&mut Draws::new(5), 0, false)(1.0).record(&flight, span_s);
+    let mut late = record.clone();
+    let place = 3 * record.len() / 4;
+    late[place].time_s = late[place + 1].time_s - 1e-6;
+    let [real_m, late_m] = [&record, &late].map(|record| checked(&truth, record, record).spans[0].real_m);
+    assert!((late_m / real_m - 1.0).abs() < 0.1, "{late_m} is not {real_m}");
+}

@@ -170,10 +170,10 @@ mod tests {
             let error = read(&[wrong]).unwrap_err();
             assert!(error.starts_with(&format!("--truth-sigma {wrong}: expected NAME=NUMBER")), "{error}");
         }
-        // A limit is in the unit of its key: a radian is 3438 arcmin.
+        // A limit is in the unit of its key: 0.3 rad are 1031 arcmin.
         for (wrong, limit) in [
-            ("tilt_arcmin=3439", "3438"),
-            ("heading_arcmin=1e9", "3438"),
+            ("tilt_arcmin=1032", "1031"),
+            ("heading_arcmin=1e9", "1031"),
             ("position_m=1e5", "10000"),
             ("velocity_m_s=1001", "1000"),
         ] {
@@ -182,6 +182,6 @@ mod tests {
                 format!("--truth-sigma {wrong}: must be at most {limit}")
             );
         }
-        assert!(read(&["tilt_arcmin=3437"]).is_ok());
+        assert!(read(&["tilt_arcmin=1031"]).is_ok());
     }
 }

@@ -285,7 +285,7 @@ fn the_rest_of_a_record_is_checked() {
         (&["--check", "--twins", "3"], "40"),
         (
             &["--check", "--truth-sigma", "tilt_arcmin=1e9"],
-            "--truth-sigma tilt_arcmin=1e9: must be at most 3438",
+            "--truth-sigma tilt_arcmin=1e9: must be at most 1031",
         ),
     ] {
         let (code, _, errors) = run(&folder, &of("imu.csv", more));

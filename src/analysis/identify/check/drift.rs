@@ -12,6 +12,7 @@ use crate::errors::correction::Correction;
 use crate::errors::navigation_minus_truth;
 use crate::signal::Increment;
 use crate::simulator::Simulator;
+use crate::truth::MIN_INTERVAL_S;
 
 /// Longest step, in lengths of an interval of the record, over which a signal is held: lost rows. A longer one is a gap.
 const HELD: f64 = 5.0;
@@ -52,8 +53,12 @@ impl Steps {
         let mut last_s = None;
         for row in record {
             let end_s = found.path_time_s(row.time_s);
-            let begin_s = last_s.unwrap_or(found.path_time_s(row.time_s - row.interval_s));
+            let begin_s = *last_s.get_or_insert(found.path_time_s(row.time_s - row.interval_s));
             let length_s = end_s - begin_s;
+            // Rows that follow each other at once are one step: none is shorter than the shortest that can be navigated.
+            if length_s < MIN_INTERVAL_S {
+                continue;
+            }
             // Stamps scatter and rows are lost: the mean signal holds for the time since the row before.
             let part = length_s / row.interval_s;
             let Increment { angle, velocity } = row.increment;
@@ -164,7 +169,10 @@ fn drift_m(
         simulator.correct(&error)?;
     }
     let mut end_s = begin_s;
-    for step in steps.0[first..].iter().take_while(|step| step.begin_s < start_s + duration_s) {
+    // Steps of a twin are those of the path, and may be longer than those of the record: none ends behind the path.
+    let (_, to_s) = truth.ends_s()?;
+    let is_flown = |step: &&Step| step.begin_s < start_s + duration_s && step.end_s <= to_s;
+    for step in steps.0[first..].iter().take_while(is_flown) {
         simulator.push_imu(&[step.increment], step.end_s - step.begin_s)?;
         end_s = step.end_s;
     }

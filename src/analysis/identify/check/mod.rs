@@ -44,6 +44,9 @@ use starts::Starts;
 /// Durations of the flights \[s\], as long as two of them have room in the part that is checked.
 pub const DURATIONS_S: [f64; 6] = [10.0, 30.0, 60.0, 120.0, 300.0, 600.0];
 
+/// Largest standard deviation of an angle of the truth \[rad\]: no error that is drawn turns by more than half a turn, which is ten of it.
+const MOST_ANGLE: f64 = 0.3;
+
 /// What a check is made with.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CheckRequest {
@@ -76,9 +79,9 @@ pub struct TruthSigma {
     pub position_m: f64,
     /// Velocity, each axis \[m/s\], 0 to 1e3.
     pub velocity_m_s: f64,
-    /// Tilt about east and about north \[rad\], 0 to 1.
+    /// Tilt about east and about north \[rad\], 0 to 0.3.
     pub tilt_rad: f64,
-    /// Heading \[rad\], 0 to 1.
+    /// Heading \[rad\], 0 to 0.3.
     pub heading_rad: f64,
 }
 
@@ -86,8 +89,8 @@ impl TruthSigma {
     fn validate(&self) -> Result<(), Error> {
         check_range("truth.position_m", self.position_m, 0.0, 1e4)?;
         check_range("truth.velocity_m_s", self.velocity_m_s, 0.0, 1e3)?;
-        check_range("truth.tilt_rad", self.tilt_rad, 0.0, 1.0)?;
-        check_range("truth.heading_rad", self.heading_rad, 0.0, 1.0)
+        check_range("truth.tilt_rad", self.tilt_rad, 0.0, MOST_ANGLE)?;
+        check_range("truth.heading_rad", self.heading_rad, 0.0, MOST_ANGLE)
     }
 }
 
