@@ -18,13 +18,13 @@ cd "$(dirname "$0")/.."
 . tests/support/node.sh
 
 programs="digests float_environment misuse run ensemble threads"
-folder=$PWD/target/platforms
-mkdir -p "$folder"
 
-# fly COMPILER LIBRARY RUNNER...: builds and runs the programs with a library.
+# fly COMPILER LIBRARY RUNNER...: builds and runs the programs with a library, in a folder of this script alone: several may run at once.
 fly() {
-    local compiler=$1 library=$2
+    local compiler=$1 library=$2 folder
     shift 2
+    mkdir -p target/platforms
+    folder=$(mktemp -d "$PWD/target/platforms/XXXXXX")
     cp "$library" "$folder/libsins.so"
     ln -sf libsins.so "$folder/libsins.so.1" # the name within an installed library
     for name in $programs; do
@@ -32,6 +32,7 @@ fly() {
             -Wl,-rpath,"$folder"
         "$@" "$folder/$name"
     done
+    rm -r "$folder"
 }
 
 # other PROCESSOR DEBIANS_NAME RUNNER...: tests another processor with Linux.
