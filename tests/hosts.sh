@@ -159,7 +159,7 @@ javascript() {
         printf '#!/bin/sh\nexec node "%s" "$@"\n' "$PWD/${program#*:}" >"$out/javascript/${program%:*}"
         chmod +x "$out/javascript/${program%:*}"
     done
-    same_as_c javascript "identif|recorded_increment"
+    same_as_c javascript "identif|recorded_increment|agreement"
     node --expose-gc --test tests/hosts/test_sins.mjs >"$out/test_javascript" || { cat "$out/test_javascript"; return 1; }
     doors
     node tests/hosts/doors.mjs "$doors"
