@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the library for WebAssembly, and the folder of its npm package in OUT: sins.wasm, sins.mjs, sins.d.ts, package.json, README.md
-# and licences. It has no sins_identify_..., which would take 0.24 MB. Checks that the module exports the other functions of the header and
+# and licences. It has no sins_identify_..., which no page calls. Checks that the module exports the other functions of the header and
 # imports nothing.
 #
 #     release/wasm.sh OUT
