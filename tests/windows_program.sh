@@ -20,17 +20,16 @@ given() {
     mkdir -p "$work"
     [ "$1" = x86_64 ] || fetch_screen32 # without fonts wine prints warnings
     # Once in some 2000 starts wine itself dies, of a signal, which no program of Windows can, or because its server ended between two
-    # of its words to it, which it says; then it starts again.
+    # of its words to it, which it says; then it starts again, at most twice, as a start right behind may die too.
     cat >"$work/sins" <<SH
 #!/bin/sh
 errors="$work/errors.\$\$"
-"$wine" "$(realpath "$2")" "\$@" 2>"\$errors"
-status=\$?
-if [ \$status -ge 128 ] || grep -q '^wine client error' "\$errors"; then
+for start in 1 2 3; do
+    "$wine" "$(realpath "$2")" "\$@" 2>"\$errors"
+    status=\$?
+    [ \$status -ge 128 ] || grep -q '^wine client error' "\$errors" || break
     echo >>"$work/died"
-    rm "\$errors"
-    exec "$wine" "$(realpath "$2")" "\$@"
-fi
+done
 cat "\$errors" >&2
 rm "\$errors"
 exit \$status
