@@ -422,7 +422,7 @@ SINS_API sins_status SINS_CALL sins_identify_create(const sins_options *options,
 /**
  * Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
  * samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample, with
- * SINS_IDENTIFY_STATES 336 bytes. Not for a real-time frame: it allocates.
+ * SINS_IDENTIFY_STATES 336 bytes; while the memory grows, up to twice that. Not for a real-time frame: it allocates.
  *
  * SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
  * caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.
@@ -451,7 +451,7 @@ SINS_API sins_status SINS_CALL sins_identify_push_increments(sins_identify *iden
  * SINS_ERROR_INVALID_ARGUMENT: the record does not fit the path: it is of another motion or in other units, too short, has a sensor that
  * is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, with the field of the increments if it is one, and a figure of
  * its rate or force.
- * SINS_ERROR_BAD_STATE: the path has less than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
+ * SINS_ERROR_BAD_STATE: the path has fewer than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
  */
 SINS_API sins_status SINS_CALL sins_identify_solve(sins_identify *identify, sins_identified *identified);
 
@@ -566,12 +566,12 @@ typedef struct sins_identified_span {
  * that are drawn from what was found, fly the same starts. What was found is then that of the first half. docs/identify.md explains the
  * verdict. The handle must have SINS_IDENTIFY_STATES. request may be NULL: as all zero; check may be NULL.
  *
- * Not for a real-time frame: it allocates up to 72 bytes an increment and 200 bytes a sample for its time, and flies each twin: seconds to
- * minutes. The call takes up to 256 KB of stack. On an error, what was found and what was checked stays.
+ * Not for a real-time frame: during the call it allocates up to 72 bytes an increment, 200 bytes a sample and some MB, and it flies each
+ * twin, which takes seconds to minutes. The call takes up to 256 KB of stack. On an error, what was found and what was checked stays.
  *
  * SINS_ERROR_INVALID_ARGUMENT: a value out of its range; the record does not fit the path, as sins_identify_solve(); or a half of it is
  * shorter than 20 s.
- * SINS_ERROR_BAD_STATE: the handle has not SINS_IDENTIFY_STATES, the path has less than four intervals, the fit fails without a figure, or
+ * SINS_ERROR_BAD_STATE: the handle lacks SINS_IDENTIFY_STATES, the path has fewer than four intervals, the fit fails without a figure, or
  * half of the flights of 10 s diverge. SINS_ERROR_OUT_OF_MEMORY: no memory.
  */
 SINS_API sins_status SINS_CALL sins_identify_check(sins_identify *identify,

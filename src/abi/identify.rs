@@ -307,7 +307,7 @@ pub unsafe extern "C-unwind" fn sins_identify_create(
 
 /// Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
 /// samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample, with
-/// SINS_IDENTIFY_STATES 336 bytes. Not for a real-time frame: it allocates.
+/// SINS_IDENTIFY_STATES 336 bytes; while the memory grows, up to twice that. Not for a real-time frame: it allocates.
 ///
 /// SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
 /// caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.
@@ -370,7 +370,7 @@ pub unsafe extern "C-unwind" fn sins_identify_push_increments(
 /// SINS_ERROR_INVALID_ARGUMENT: the record does not fit the path: it is of another motion or in other units, too short, has a sensor that
 /// is stuck or a clock that jumps; sins_last_error(NULL, ...) says which, with the field of the increments if it is one, and a figure of
 /// its rate or force.
-/// SINS_ERROR_BAD_STATE: the path has less than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
+/// SINS_ERROR_BAD_STATE: the path has fewer than four intervals, or the fit fails without a figure. SINS_ERROR_OUT_OF_MEMORY: no memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_identify_solve(
     identify: *mut sins_identify,

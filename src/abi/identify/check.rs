@@ -159,12 +159,12 @@ impl sins_identified_span {
 /// that are drawn from what was found, fly the same starts. What was found is then that of the first half. docs/identify.md explains the
 /// verdict. The handle must have SINS_IDENTIFY_STATES. request may be NULL: as all zero; check may be NULL.
 ///
-/// Not for a real-time frame: it allocates up to 72 bytes an increment and 200 bytes a sample for its time, and flies each twin: seconds to
-/// minutes. The call takes up to 256 KB of stack. On an error, what was found and what was checked stays.
+/// Not for a real-time frame: during the call it allocates up to 72 bytes an increment, 200 bytes a sample and some MB, and it flies each
+/// twin, which takes seconds to minutes. The call takes up to 256 KB of stack. On an error, what was found and what was checked stays.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: a value out of its range; the record does not fit the path, as sins_identify_solve(); or a half of it is
 /// shorter than 20 s.
-/// SINS_ERROR_BAD_STATE: the handle has not SINS_IDENTIFY_STATES, the path has less than four intervals, the fit fails without a figure, or
+/// SINS_ERROR_BAD_STATE: the handle lacks SINS_IDENTIFY_STATES, the path has fewer than four intervals, the fit fails without a figure, or
 /// half of the flights of 10 s diverge. SINS_ERROR_OUT_OF_MEMORY: no memory.
 #[unsafe(no_mangle)]
 pub unsafe extern "C-unwind" fn sins_identify_check(
