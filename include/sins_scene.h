@@ -576,7 +576,8 @@ typedef struct sins_log_info {
  * scene sets log.smooth_rate_hz, and several have the line of one fix. While it is fitted it allocates some KB a fix more.
  *
  * Where the [log] names columns of other files, their values are interpolated onto the times of the rows of the text; the host gives each
- * file to the scene before, by sins_scene_give_log_file(). A fault in such a file has line 0; its sentence begins with the name, and the line if it has one.
+ * file to the scene before, by sins_scene_give_log_file(). A fault in such a file has line 0; its sentence begins with the name, and with
+ * the line if it has one.
  *
  * SINS_ERROR_INVALID_ARGUMENT: the text is not a valid flight log; fault (may be NULL) gets the first fault and its place,
  * sins_last_error(NULL, ...) gives both as a sentence, and *log is unchanged.
