@@ -5,7 +5,8 @@
 #
 #     release/all.sh
 #
-# DEBFULLNAME, DEBEMAIL: the maintainer of the packages for Debian.
+# DEBFULLNAME, DEBEMAIL: the maintainer of the packages for Debian. SINS_RELEASE_URL: the address of the folder from which the release will
+# be downloaded; with it, there are recipes for Conan and vcpkg too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/support/need.sh
@@ -39,6 +40,13 @@ unzip -p "$dist/sins-$version"-py3-none-manylinux_2_17_x86_64.whl "sins-$version
 archive "$folder" tar.gz
 cargo package --quiet --locked --package sins --target-dir "$staging/crate"
 cp "$staging/crate/package/sins-$version.crate" "$dist"
+
+if [ -n "${SINS_RELEASE_URL:-}" ]; then
+    release/recipes.sh "$dist/sins-$version-source.tar.gz" "$SINS_RELEASE_URL" "$staging/sins-$version-recipes"
+    archive "$staging/sins-$version-recipes" tar.gz
+else
+    echo "no recipes for Conan and vcpkg: SINS_RELEASE_URL, from where they would download the sources, is not set"
+fi
 
 step "npm and the page"
 need npm npm

@@ -127,9 +127,18 @@ $(printf '%s\n' "lib64/libsins.so.$abi"{,.0.0} "share/doc/libsins$abi"/{copyrigh
     echo "rpm: $(cd "$out/rpm" && echo *.rpm): installed, used and removed in an empty tree"
 }
 
-# The package is built in Conan's own folder, once for each kind of library.
+# recipes: the recipes of a release with the sources of this tree, to be downloaded from a folder.
+recipes() {
+    local sources=$out/sins-$version-source.tar.gz
+    git ls-files -z | tar -cz --null -T - --transform "s,^,sins-$version-source/,S" -f "$sources"
+    release/recipes.sh "$sources" "file://$out" "$out/recipes"
+}
+
+# The package is built in Conan's own folder, once for each kind of library: the shared one from this tree, the static one by the recipe
+# of a release.
 conan() {
-    local tools=$PWD/target/conan-tools shared kind
+    local tools=$PWD/target/conan-tools shared kind recipe=release/conan
+    recipes
     need python3-venv /usr/share/doc/python3-venv
     [ -x "$tools/bin/conan" ] || { python3 -m venv "$tools" && "$tools/bin/pip" install --quiet --disable-pip-version-check conan==2.34.0; }
     export CONAN_HOME=$out/conan
@@ -138,7 +147,7 @@ conan() {
     printf '%s\n' "tools.cmake.cmaketoolchain:user_presets=" "tools.cmake.cmake_layout:test_folder=$out/conan_hosts/test" \
         >"$CONAN_HOME/global.conf" # nothing is written into the sources
     for shared in True False; do
-        "$tools/bin/conan" create release/conan -o "sins/*:shared=$shared" >"$out/conan.log" 2>&1 || { cat "$out/conan.log"; return 1; }
+        "$tools/bin/conan" create "$recipe" -o "sins/*:shared=$shared" >"$out/conan.log" 2>&1 || { cat "$out/conan.log"; return 1; }
         "$tools/bin/conan" install --requires "sins/$version" -o "sins/*:shared=$shared" -g CMakeDeps -g CMakeToolchain \
             -of "$out/conan_hosts/$shared" >"$out/conan.log" 2>&1 || { cat "$out/conan.log"; return 1; }
         cmake -S "$hosts" -B "$out/conan_hosts/$shared/build" -DCMAKE_BUILD_TYPE=Release \
@@ -149,15 +158,21 @@ conan() {
         done
         kind=$(readelf -d "$out/conan_hosts/$shared/build/minimal_sins" | grep -c libsins || true)
         [ "$kind" = "$([ $shared = True ] && echo 1 || echo 0)" ] || fail "conan: shared=$shared gives the other library"
+        recipe=$out/recipes/conan
     done
-    echo "conan: sins/$version, shared and static, built by conan create and used by find_package with CMakeDeps"
+    # Other sources than those of the recipe are refused.
+    sed -i 's/sha256: "..../sha256: "0000/' "$out/recipes/conan/conandata.yml"
+    if "$tools/bin/conan" create "$recipe" >"$out/conan.log" 2>&1; then fail "conan: sources with another hash are built"; fi
+    grep -q "sha256 signature failed" "$out/conan.log" || { cat "$out/conan.log"; fail "conan: says something else"; }
+    echo "conan: sins/$version, shared from this tree and static from a release, built by conan create and used by find_package with CMakeDeps"
 }
 
 # vcpkg itself is not run: it is in none of the registries from which this script installs.
 vcpkg() {
-    local linkage
+    local linkage port=$PWD/release/vcpkg/sins
+    recipes
     for linkage in dynamic static; do
-        cmake -DLINKAGE=$linkage -DFOLDER="$out/vcpkg/$linkage" -DCARGO="$PWD/target/install/build/cargo" -P tests/package_managers/vcpkg.cmake
+        cmake -DCURRENT_PORT_DIR="$port" -DLINKAGE=$linkage -DFOLDER="$out/vcpkg/$linkage" -DCARGO="$PWD/target/install/build/cargo" -P tests/package_managers/vcpkg.cmake
         equal "$headers
 $(printf '%s\n' lib/pkgconfig/sins.pc "$bindings" share/sins/{copyright,sinsConfig.cmake,sinsConfigVersion.cmake,usage})
 $([ $linkage = static ] && echo lib/libsins.a || printf '%s\n' lib/libsins.so{,".$abi",".$abi.0.0"})" \
@@ -167,7 +182,14 @@ $([ $linkage = static ] && echo lib/libsins.a || printf '%s\n' lib/libsins.so{,"
         for example in minimal cpp_host; do
             same "$out/vcpkg/$linkage/hosts/${example}_sins" $example
         done
+        port=$out/recipes/vcpkg/sins # as the recipe of a release
     done
+    sed -i 's/sha512 ..../sha512 0000/' "$out/recipes/vcpkg/sins/release.cmake"
+    if cmake -DCURRENT_PORT_DIR="$port" -DLINKAGE=static -DFOLDER="$out/vcpkg/other" -DCARGO="$PWD/target/install/build/cargo" \
+        -P tests/package_managers/vcpkg.cmake >"$out/vcpkg.log" 2>&1; then
+        fail "vcpkg: sources with another hash are built"
+    fi
+    grep -q "SHA512 hash of" "$out/vcpkg.log" || { cat "$out/vcpkg.log"; fail "vcpkg: says something else"; }
     echo "vcpkg: the port gives both kinds of packages, which find_package finds"
     could_not "the port by vcpkg itself" "vcpkg is not to be had from a registry"
 }

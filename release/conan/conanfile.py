@@ -3,7 +3,7 @@
 conan create release/conan                              the shared library
 conan create release/conan -o "sins/*:shared=False"     the static one
 
-The build needs Rust and the network, for the crates. docs/packages.md, "Package managers"
+With conandata.yml beside it, as release/recipes.sh writes it, the sources are those of a release, which are downloaded. The build needs Rust and the network, for the crates. docs/packages.md, "Package managers"
 """
 
 import os
@@ -12,7 +12,7 @@ import re
 from conan import ConanFile
 from conan.errors import ConanInvalidConfiguration
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
-from conan.tools.files import copy, load, rm, rmdir, save
+from conan.tools.files import copy, get, load, rm, rmdir, save
 
 
 class Sins(ConanFile):
@@ -32,11 +32,25 @@ class Sins(ConanFile):
     def _path(self, *parts):
         return os.path.join(self.package_folder, *parts)
 
+    @property
+    def _release(self):
+        """Version: address and hash of its sources; empty in a source tree."""
+        return (self.conan_data or {}).get("sources", {})
+
     def set_version(self):
+        if self._release:
+            (self.version,) = self._release
+            return
         manifest = load(self, os.path.join(self._tree, "Cargo.toml"))
         self.version = re.search(r'^version = "(.*)"', manifest, re.MULTILINE).group(1)
 
+    def source(self):
+        if self._release:
+            get(self, **self._release[self.version], strip_root=True)
+
     def export_sources(self):
+        if self._release:
+            return
         # The program, the unit and the tests are members of the workspace: Cargo reads them, but does not build them.
         for part in (
             "Cargo.*", "CMakeLists.txt", "LICENSE-*", "CHANGELOG.md", "build.rs",

@@ -1,10 +1,9 @@
 # Runs the port of release/vcpkg without vcpkg: stand-ins for the functions that it calls do the part of each that is documented.
 #
-#   cmake -DLINKAGE=dynamic|static -DFOLDER=... -DCARGO=... -P tests/package_managers/vcpkg.cmake
+#   cmake -DCURRENT_PORT_DIR=... -DLINKAGE=dynamic|static -DFOLDER=... -DCARGO=... -P tests/package_managers/vcpkg.cmake
 #
 # FOLDER/installed is then what vcpkg would install. CARGO: the folder in which cargo builds.
 cmake_minimum_required(VERSION 3.20)
-get_filename_component(CURRENT_PORT_DIR "${CMAKE_CURRENT_LIST_DIR}/../../release/vcpkg/sins" ABSOLUTE)
 set(PORT sins)
 set(VCPKG_LIBRARY_LINKAGE ${LINKAGE})
 set(CURRENT_PACKAGES_DIR ${FOLDER}/installed)
@@ -15,7 +14,7 @@ file(READ ${CURRENT_PORT_DIR}/vcpkg.json manifest)
 string(JSON name GET "${manifest}" name)
 string(JSON version GET "${manifest}" version)
 string(JSON licence GET "${manifest}" license)
-file(STRINGS ${CURRENT_PORT_DIR}/../../../Cargo.toml cargo REGEX "^(version|license) = " LIMIT_COUNT 2)
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/../../Cargo.toml cargo REGEX "^(version|license) = " LIMIT_COUNT 2)
 if(NOT "${name}" STREQUAL sins OR NOT "license = \"${licence}\";version = \"${version}\"" STREQUAL "${cargo}")
     message(FATAL_ERROR "vcpkg.json: ${name} ${version}, ${licence}: not ${cargo} of Cargo.toml")
 endif()
@@ -25,6 +24,19 @@ function(run)
     if(status)
         message(FATAL_ERROR "${ARGN}\n${output}")
     endif()
+endfunction()
+
+function(vcpkg_download_distfile variable)
+    cmake_parse_arguments(PARSE_ARGV 1 given "" "URLS;FILENAME;SHA512" "")
+    file(DOWNLOAD ${given_URLS} ${FOLDER}/${given_FILENAME} EXPECTED_HASH SHA512=${given_SHA512})
+    set(${variable} ${FOLDER}/${given_FILENAME} PARENT_SCOPE)
+endfunction()
+
+function(vcpkg_extract_source_archive variable)
+    cmake_parse_arguments(PARSE_ARGV 1 given "" "ARCHIVE" "")
+    file(ARCHIVE_EXTRACT INPUT ${given_ARCHIVE} DESTINATION ${FOLDER}/source)
+    file(GLOB folders ${FOLDER}/source/*)
+    set(${variable} ${folders} PARENT_SCOPE)
 endfunction()
 
 function(vcpkg_cmake_configure)

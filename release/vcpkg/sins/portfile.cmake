@@ -1,7 +1,14 @@
-# An overlay port: it builds the library of the source tree that it lies in. docs/packages.md, "Package managers"
+# An overlay port: it builds the library of the source tree that it lies in, or of the release whose address and hash stand in
+# release.cmake, as release/recipes.sh writes it. docs/packages.md, "Package managers"
 #
 #   vcpkg install sins --overlay-ports=release/vcpkg
-get_filename_component(SOURCE_PATH "${CURRENT_PORT_DIR}/../../.." ABSOLUTE)
+if(EXISTS "${CURRENT_PORT_DIR}/release.cmake")
+    include("${CURRENT_PORT_DIR}/release.cmake")
+    vcpkg_download_distfile(archive URLS "${url}" FILENAME "${name}" SHA512 "${sha512}")
+    vcpkg_extract_source_archive(SOURCE_PATH ARCHIVE "${archive}")
+else()
+    get_filename_component(SOURCE_PATH "${CURRENT_PORT_DIR}/../../.." ABSOLUTE)
+endif()
 
 # Rust optimises the library in every build type: one build is for both.
 set(VCPKG_BUILD_TYPE release)
