@@ -8,9 +8,7 @@ use sins::scene::Scene;
 use sins::units::DEG;
 
 use crate::failure::{Failure, Kind};
-use crate::given::{
-    Json, ReadLog, Settings, Verdict, find_gaps, is_log, is_record, of_log, parse_log, read_bytes,
-};
+use crate::given::{Json, ReadLog, Settings, Verdict, find_gaps, is_record, of_log, parse_log, read_bytes};
 use crate::output::{NO_MARK, Outputs};
 use crate::siblings;
 use crate::terminal::{print, quoted, say};
@@ -145,8 +143,6 @@ fn conclude(order: &Order, verdict: &Verdict) -> Result<(), Failure> {
     }
     if let Some(map) = &order.map {
         let (file, columns) = (quoted(&order.file), quoted(map));
-        // The name of a table that does not end in .csv would be that of a scene.
-        let option = if is_log(order.file.as_os_str()) { "" } else { "--log " };
         let next = match worst {
             Some(Level::Unusable) => {
                 let again = format!("`sins log {file} --columns {columns}`");
@@ -159,7 +155,7 @@ fn conclude(order: &Order, verdict: &Verdict) -> Result<(), Failure> {
                     false => format!("mend {}, and look again: {again}", map.display()),
                 }
             }
-            _ => format!("`sins fly {option}{file} --columns {columns}`"),
+            _ => format!("`sins fly {file} --columns {columns}`"),
         };
         print(&written::text(&[map], Some(&next)))?;
     }

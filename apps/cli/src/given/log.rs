@@ -8,7 +8,6 @@ use sins::scene::Scene;
 use super::beside::beside;
 use super::file::{open, read_whole};
 use super::kind::{FileKind, is_record};
-use super::text::is_log;
 use crate::failure::Failure;
 use crate::terminal::quoted;
 
@@ -60,10 +59,8 @@ fn unread(path: &Path, bytes: &[u8], mapping: &LogMapping, error: LogError) -> F
         return failure;
     }
     let file = quoted(path);
-    // The name of a table that does not end in .csv would be that of a scene.
-    let option = if is_log(path.as_os_str()) { "" } else { "--log " };
     Failure::new(format!(
-        "{failure}\n`sins log {file} --map columns.toml` finds its columns, and `sins fly {option}{file} --columns columns.toml` flies it"
+        "{failure}\n`sins log {file} --map columns.toml` finds its columns, and `sins fly {file} --columns columns.toml` flies it"
     ))
 }
 

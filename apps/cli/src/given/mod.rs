@@ -80,13 +80,19 @@ impl Given {
         trust: &Trust,
         for_logs: &str,
     ) -> Result<Self, Failure> {
+        // A table that --columns reads may have any name.
+        let is_table = |name| {
+            log.is_none() && settings.columns.is_some() && !text::is_scene(name) && Path::new(name).exists()
+        };
         let (text, log) = match name {
             Some(name) if is_log(name) && log.is_some() => {
                 let what =
                     format!("{}: is a flight log; so --log must not be given", Path::new(name).display());
                 return Err(Failure::new(what));
             }
-            Some(name) if is_log(name) => (Text::for_log(Path::new(name), for_logs), Some(Path::new(name))),
+            Some(name) if is_log(name) || is_table(name) => {
+                (Text::for_log(Path::new(name), for_logs), Some(Path::new(name)))
+            }
             Some(name) => (Text::find(name)?, log),
             None => match log {
                 Some(path) => (Text::for_log(path, for_logs), log),

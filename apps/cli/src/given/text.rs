@@ -102,7 +102,7 @@ impl Text {
                     "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has"
                 }
                 None => {
-                    "is read as a scene in TOML, because its name does not end in .csv; --log takes a log of any name"
+                    "is read as a scene in TOML, because its name does not end in .csv; --log takes a log of any name, and so does --columns"
                 }
             };
             // Without a value it is no scene, and each line is a fault.
@@ -151,6 +151,12 @@ pub fn is_log(name: &OsStr) -> bool {
     let has_ending =
         path.extension().is_some_and(|ending| ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)));
     name == "-" || has_ending || is_record_at(path)
+}
+
+/// Whether `name` is the name of a scene: of a built-in one, or of a file that ends in .toml.
+pub fn is_scene(name: &OsStr) -> bool {
+    let is_builtin = || BUILTIN_SCENES.iter().any(|(known, _)| name == *known);
+    Path::new(name).extension().is_some_and(|ending| ending == "toml") || is_builtin()
 }
 
 /// Whether a text begins with the header of a flight log.

@@ -80,8 +80,16 @@ fn columns_are_found_and_fly() {
     assert!(code == 2 && errors.contains("map.toml") && read(folder.join("map.toml")) == edited, "{errors}");
     std::fs::copy(folder.join("cockpit.csv"), folder.join("cockpit.txt")).unwrap();
     let said = done(&folder, &["log", "cockpit.txt", "--map", "text.toml"]);
-    assert!(said.ends_with("next: `sins fly --log cockpit.txt --columns text.toml`\n"), "{said}");
-    assert_eq!(run(&folder, &["fly", "--log", "cockpit.txt", "--columns", "text.toml", "--quiet"]).0, 0);
+    assert!(said.ends_with("next: `sins fly cockpit.txt --columns text.toml`\n"), "{said}");
+    assert_eq!(run(&folder, &["fly", "cockpit.txt", "--columns", "text.toml", "--quiet"]).0, 0);
+    // --log takes it too, and a scene stays one.
+    for given in [&["--log", "cockpit.txt"][..], &["rest", "--log", "cockpit.txt"]] {
+        assert_eq!(
+            run(&folder, &[&["fly", "--columns", "text.toml", "-q", "--force"], given].concat()).0,
+            0,
+            "{given:?}"
+        );
+    }
 
     let errors = rejected(&folder, &["log", "cockpit.csv", "--map", "cockpit.csv"]);
     assert!(errors.contains("is the input cockpit.csv"), "{errors}");
