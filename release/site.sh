@@ -81,6 +81,10 @@ drawn "Which errors matter" budget/budget.html "budget c_examples/scenes/fighter
 drawn "What accuracy costs" curve/curve.html "curve aerobatics --quick"
 drawn "The noise of an IMU" imu_allan.html "fly rest --preset consumer --set flight.hours=1 --imu imu.csv" "allan sins_out/imu.csv"
 
+drawn "The errors of an IMU" identify.html \
+    "fly aerobatics --preset tactical --set flight.hours=0.11 --set flight.rate_hz=50 --imu record.csv" \
+    "identify aerobatics --set flight.hours=0.11 --set flight.rate_hz=50 --imu sins_out/record.csv --prior tactical --check --page sins_out/identify.html"
+
 step "pages"
 "$book" build "$work" --dest-dir "$work/book" >/dev/null
 python3 release/site/check.py "$work/book" "$source/SUMMARY.md"

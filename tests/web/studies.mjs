@@ -1,4 +1,4 @@
-// Pages of `sins budget`, `sins curve`, `sins allan` and `sins live` in Chromium: values at the cursor and saved data against the files
+// Pages of `sins budget`, `sins curve`, `sins allan`, `sins identify` and `sins live` in Chromium: values at the cursor and saved data against the files
 // beside the pages, enlarged parts, keys, the page without its script, and what stands above the curves and at the foot of every page.
 //
 //     SINS=target/release/sins node --test tests/web/studies.mjs      see tests/web.sh
@@ -15,7 +15,9 @@ import { KEPT_WITH_WORKERS } from "./browser.mjs";
 import { opened, out, point, policy_of, rows_of, saved, sins, start, stop, table, text_of } from "./drawings.mjs";
 
 const FLIGHTS = resolve("c_examples/flights"), LIVE_S = 60;
-const PAGES = ["budget/budget", "curve/curve", "allan", "live/live", "warned", "warned_ensemble"];
+/** What `sins identify` printed. */
+let identified;
+const PAGES = ["budget/budget", "curve/curve", "allan", "identify", "live/live", "warned", "warned_ensemble"];
 
 before(async () => {
     const quiet = ["--quiet", "--force", "--out", out];
@@ -31,6 +33,9 @@ before(async () => {
     sins("curve", "--quick", "--flight", "cruise", "warned.toml", "--force", "--out", "curve");
     sins("fly", "simulation2", "--set", "flight.builtin=rest", "--set", "flight.hours=0.2", "--name", "rest", "--imu", "imu.csv", ...quiet);
     sins("allan", "imu.csv", "-o", "allan.html", "--csv", "points.csv", "--force");
+    const truth = ["aerobatics", "--set", "flight.hours=0.11", "--set", "flight.rate_hz=25"];
+    sins("fly", ...truth, "--preset", "tactical", "--set", "options.subsamples=1", "--name", "sensed", "--imu", "sensed.csv", ...quiet);
+    identified = JSON.parse(sins("identify", ...truth, "--imu", "sensed.csv", "--prior", "tactical", "--check", "--twins", "40", "--page", "identify.html", "--json", "--force"));
     await live(lines);
     await start();
 });
@@ -184,6 +189,20 @@ test("allan: averaging time and deviation at the cursor, and in the saved data, 
     });
 });
 
+test("identify: drifts and parameters at the cursor are those of the file", async (context) => {
+    const page = await opened(context, "identify"), [drift, gyro] = [0, 1].map((k) => page.locator(".panel").nth(k));
+    const { spans } = identified.check;
+    assert.ok(spans.length >= 3);
+    await drift.locator(".hit").focus();
+    const dots = (await rows_of(page, page.locator("figure", { has: drift }))).filter(([, name]) => /^after /.test(name));
+    assert.equal(dots.length, spans.length);
+    spans.forEach((span, k) => near(Number(/: ([\d.]+) m, predicted/.exec(dots[k][1])[1]), span.real_m, 1e-3, dots[k][1]));
+    // A parameter in the middle of its row.
+    const at = await gyro.locator("circle").first().boundingBox();
+    await page.mouse.move(at.x + at.width / 2, at.y + at.height / 2);
+    assert.match(await text_of(gyro), /bias x: -?[\d.]+ ± [\d.]+ °\/h/);
+});
+
 test("live: the cursor shows the values of the records", async (context) => {
     const page = await opened(context, "live/live"), all = table("live/live.csv");
     const own = page.locator(".panel", { has: page.locator('.caption:text("position east")') }).first();
@@ -209,7 +228,7 @@ test("live: the cursor shows the values of the records", async (context) => {
 });
 
 test("drag enlarges a part, double-click and keys go back", async (context) => {
-    for (const name of ["budget/budget", "curve/curve", "allan", "live/live"]) {
+    for (const name of ["budget/budget", "curve/curve", "allan", "identify", "live/live"]) {
         const page = await opened(context, name), own = page.locator(".panel").first(), before = await own.locator("> .x-ticks").count();
         const is_part = () => own.evaluate((panel) => panel.classList.contains("part"));
         await point(page, own, 0.2, 0.3);
@@ -259,6 +278,7 @@ test("what a reader must know stands in words above the curves, and at the foot 
         "curve/curve": ["warned: Gaps in the flight data: 1, of 2.02 s", "Flown without its updates"],
         "live/live": [],
         allan: [],
+        identify: [],
     };
     for (const name of PAGES) {
         const page = await opened(context, name);

@@ -179,7 +179,7 @@ pub(super) fn find(
         check_size(
             "record.angle",
             gyro.size(&turned),
-            "size of the rates of the record over that of the path; 0.7 to 1.4 in the same unit",
+            "size of the rates of the record over that of the path; 0.7 to 1.4 in the same unit and within the range of the sensors",
         )?;
     }
     let is_moving = gyro.possible() > 0.5 || accel.possible() > 0.5;
@@ -205,7 +205,7 @@ pub(super) fn find(
     check_size(
         "record.velocity",
         size,
-        "size of the forces of the record over that of the path; 0.7 to 1.4 in the same unit",
+        "size of the forces of the record over that of the path; 0.7 to 1.4 in the same unit and within the range of the sensors",
     )
     .map_err(|error| if is_moving && correlation <= SAME { other_motion() } else { error })?;
 

@@ -74,6 +74,7 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use crate::base::error::{Error, Rule, check_range};
 use crate::base::math::{Euler, euler_from_attitude, rotation_matrix, rotation_quaternion};
 use crate::earth::state::BodyAxes;
+use crate::signal::Increment;
 use parameter::{Place, to_block_axes};
 use rows::{About, Rows};
 use solve::{Matrix, Solution, Vector};
@@ -226,6 +227,20 @@ impl Identified {
     /// Time of the path at which the record of the fit ends \[s\].
     fn last_path_time_s(&self) -> f64 {
         self.path_time_s(self.last_s)
+    }
+
+    /// What an increment of the record has beside its path and the errors that were found, axes of the record; `None`: the path does not
+    /// have its interval.
+    pub fn residual(&self, path: &IdealPath, row: &RecordedIncrement) -> Option<Increment> {
+        let ends_s = [row.time_s - row.interval_s, row.time_s].map(|time_s| self.path_time_s(time_s));
+        let (ideal, _) = path.mean(ends_s[0], ends_s[1])?;
+        let rest = |part: usize, measured: &Vector3<f64>| {
+            let triad = [&self.gyro, &self.accel][part];
+            let turned = self.rotation * ideal.fixed_rows::<3>(3 * part);
+            measured - (turned + triad.error_matrix() * turned + triad.biases()) * row.interval_s
+        };
+        let Increment { angle, velocity } = &row.increment;
+        Some(Increment { angle: rest(0, angle), velocity: rest(1, velocity) })
     }
 
     /// Biases of a triad at the end of the record of the fit.

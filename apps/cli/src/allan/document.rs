@@ -78,6 +78,11 @@ pub fn page(log: &Log, analyses: &[Analysis]) -> Result<String, Failure> {
     Ok(page::document(&format!("Allan deviation: {}", log.name), &body))
 }
 
+/// The curves of all columns of a log.
+pub fn deviations(log: &Log) -> Result<Vec<Figure>, Failure> {
+    Analysis::of_log(log)?.iter().map(figure).collect()
+}
+
 fn figure(analysis: &Analysis) -> Result<Figure, Failure> {
     let svg = diagram::drawing(analysis).svg(&title(analysis))?;
     let note = table::remark(analysis).unwrap_or_default();

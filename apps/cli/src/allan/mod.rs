@@ -14,6 +14,7 @@ mod table;
 mod values;
 
 pub use command::Order;
+pub use document::deviations;
 
 use std::path::PathBuf;
 

@@ -88,7 +88,8 @@ fn words(agreement: &Agreement) -> String {
     }
 }
 
-fn verdict(check: &Check, truth: &TruthSigma) -> String {
+/// The verdict in words.
+pub fn verdict(check: &Check, truth: &TruthSigma) -> String {
     let is_exact = *truth == TruthSigma::default();
     match check.agreement {
         Agreement::Agrees if is_exact => "the prediction agrees with the record".to_owned(),

@@ -42,6 +42,9 @@ pub struct Order {
     /// The scene [default: RECORD_sensor.toml in the folder of the record; of standard input imu_sensor.toml]
     #[arg(short, long, value_name = "SENSOR.toml")]
     pub output: Option<PathBuf>,
+    /// Also draws what was found as a page: parameters on their priors, what the record has beside them, drifts of --check
+    #[arg(long, value_name = "PAGE.html")]
+    pub page: Option<PathBuf>,
     /// What is known of the sensors: strategic, navigation, tactical, industrial or consumer
     ///
     /// The default is consumer, the widest. A prior that is too narrow moves the estimates.
@@ -101,8 +104,16 @@ impl Order {
         Ok(self.check.then_some(request))
     }
 
-    /// Checks that not both inputs are standard input, and that no setting of the record is without effect.
+    /// Checks that not both inputs are standard input, that no setting of the record is without effect, and the name of the page.
     pub fn check_inputs(&self) -> Result<(), Failure> {
+        if let Some(page) =
+            self.page.as_ref().filter(|page| page.extension().is_none_or(|ending| ending != "html"))
+        {
+            return Err(Failure::new(format!(
+                "--page {}: expected a name that ends in .html",
+                page.display()
+            )));
+        }
         let of_imu = self.settings.set.iter().find(|text| text.trim_start().starts_with("imu."));
         if let Some(text) = of_imu.filter(|_| !self.imu_columns.is_empty()) {
             return Err(Failure::new(format!(

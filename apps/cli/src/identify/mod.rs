@@ -1,16 +1,21 @@
 //! Which errors real sensors have: a record of an IMU compared with what perfect sensors measure along the same path.
 //!
 //! The data flow is `command` → `record` → [`sins::analysis::identify`] → `table`, `scene`, `json`; `check` prints whether the
-//! rest of the record agrees.
+//! rest of the record agrees, and `document` draws all of it, with the `residual`, by `diagram`.
 
 mod check;
 mod command;
+mod diagram;
+mod document;
 mod json;
 mod record;
+mod residual;
 mod scene;
 mod table;
 
 pub use command::Order;
+
+use std::path::Path;
 
 use sins::Error;
 use sins::analysis::identify::check::{Check, CheckRequest, Truth, check as fly_twins, identify_first_half};
@@ -20,6 +25,7 @@ use sins::analysis::recommend::Refusal;
 use sins::truth::FlightSample;
 use sins::units::{DEG, STANDARD_GRAVITY as G};
 
+use crate::drawing::document::PAGE_MARK;
 use crate::failure::Failure;
 use crate::given::{Given, of_sample};
 use crate::output::Outputs;
@@ -27,7 +33,9 @@ use crate::progress::Progress;
 use crate::terminal::{print, quoted};
 use crate::units::{rounded, significant, time_text};
 use crate::written;
+use document::Shown;
 use record::SensorRecord;
+use residual::Residual;
 
 /// Identifies the sensors of the record of `order`, writes the scene and prints the table.
 pub fn run(order: &Order) -> Result<(), Failure> {
@@ -40,24 +48,32 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     inputs.push(order.imu.clone());
     inputs.extend(order.imu_map.clone());
     let output = order.output();
-    let file = Outputs::new(&inputs, order.force).file(&output, MARK)?;
+    let mut outputs = Outputs::new(&inputs, order.force);
+    let file = outputs.file(&output, MARK)?;
+    let page = order.page.as_ref().map(|page| outputs.file(page, PAGE_MARK)).transpose()?;
     let record = SensorRecord::read(order, &given.scene)?;
-    let (found, checked) = match &of_check {
+    let residual_on = |path: &IdealPath, found: &Identified| Residual::new(path, &record, found);
+    let (found, checked, residual) = match &of_check {
         Some(of_check) => {
-            let (found, checked) = identify_and_check(order, &given, &record, &request, of_check)?;
-            (found, Some(checked))
+            let truth = flown(&given, |samples| Truth::fly(&given.scene.simulator_options(), samples))?;
+            let (found, checked) = identify_and_check(order, &truth, &record, &request, of_check)?;
+            let residual = page.is_some().then(|| residual_on(truth.path(), &found));
+            (found, Some(checked), residual)
         }
         None => {
             let path = flown(&given, |samples| IdealPath::fly(&given.scene.simulator_options(), samples))?;
-            let found = identify(&path, &record.increments, &request);
-            (
-                found.map_err(|error| Failure::of_file(order.record(), &sentence(&error, &record, order)))?,
-                None,
-            )
+            let found = identify(&path, &record.increments, &request)
+                .map_err(|error| Failure::of_file(order.record(), &sentence(&error, &record, order)))?;
+            let residual = page.is_some().then(|| residual_on(&path, &found));
+            (found, None, residual)
         }
     };
-    let text = scene::text(order, &given, &record, &found)?;
-    file.finish(text)?;
+    file.finish(scene::text(order, &given, &record, &found)?)?;
+    if let (Some(page), Some(residual)) = (page, residual) {
+        let checked = checked.as_ref().zip(of_check.as_ref());
+        let shown = Shown { given: &given, record: &record, found: &found, checked, residual };
+        page.finish(document::page(shown)?)?;
+    }
     if order.json {
         return print(&json::text(&record, &found, checked.as_ref()));
     }
@@ -65,13 +81,17 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     if let (Some(checked), Some(of_check)) = (&checked, &of_check) {
         print(&check::text(checked, &of_check.truth))?;
     }
-    let next = match given.scene.is_log() && scene::is_read_plainly(&given) {
-        true => format!("`sins ensemble {}` shows how far such an INS drifts on this path", quoted(&output)),
-        false => {
+    let next = match (&order.page, given.scene.is_log() && scene::is_read_plainly(&given)) {
+        (Some(page), _) => written::open(page),
+        (None, true) => {
+            format!("`sins ensemble {}` shows how far such an INS drifts on this path", quoted(&output))
+        }
+        (None, false) => {
             format!("`sins ensemble {} --log LOG.csv` flies these sensors on another path", quoted(&output))
         }
     };
-    print(&written::text(&[output], Some(&next)))
+    let paths: Vec<&Path> = [Some(output.as_path()), order.page.as_deref()].into_iter().flatten().collect();
+    print(&written::text(&paths, Some(&next)))
 }
 
 /// The samples of the path, flown by `fly` with perfect sensors.
@@ -90,16 +110,15 @@ fn flown<T>(
 /// Identifies the sensors in the first half of the record, and checks them in the other one.
 fn identify_and_check(
     order: &Order,
-    given: &Given,
+    truth: &Truth,
     record: &SensorRecord,
     request: &Request,
     of_check: &CheckRequest,
 ) -> Result<(Identified, Check), Failure> {
-    let truth = flown(given, |samples| Truth::fly(&given.scene.simulator_options(), samples))?;
     let unfit = |error: Error| Failure::of_file(order.record(), &sentence(&error, record, order));
-    let (found, other_half) = identify_first_half(&truth, &record.increments, request).map_err(unfit)?;
+    let (found, other_half) = identify_first_half(truth, &record.increments, request).map_err(unfit)?;
     let _flying = Progress::working(format!("flying {} twins", of_check.twins));
-    match fly_twins(&truth, &found, other_half, of_check) {
+    match fly_twins(truth, &found, other_half, of_check) {
         Ok(checked) => Ok((found, checked)),
         Err(error) => Err(Failure::of_file(order.record(), &format!("the half that is checked: {error}"))),
     }

@@ -15,33 +15,41 @@ const CLOSE_S: f64 = 10.0;
 
 /// The table.
 pub fn text(given: &Given, record: &SensorRecord, found: &Identified) -> String {
+    let [first, others @ ..] = head(given, record, found);
+    let mut text = format!("{first}\n\n{}\n", others.join("\n"));
+    for sheet in sheets(found) {
+        text += &format!("\n{}\n", sheet.section);
+        text += &section(&sheet);
+    }
+    text
+}
+
+/// The record, its columns, its clock and its axes, a line each.
+pub fn head(given: &Given, record: &SensorRecord, found: &Identified) -> [String; 5] {
     let rate = significant(1.0 / record.interval_s);
     let used = time_text(found.blocks as f64 * found.block_s);
     let remarks: String = record.remarks.iter().map(|remark| format!("; {remark}")).collect();
-    let mut text = format!(
-        "{}: {} rows at {rate} Hz{} along {}, {used} identified{remarks}; 95 % intervals\n\n",
-        record.name,
-        record.increments.len(),
-        record.counted,
-        given.name
-    );
-    text += &format!("columns: {}\n", record.columns.join(", "));
-    text += &format!("clock: {}\n", clock(record, found));
     let is_taken = !found.axes.is_seen && found.axes.exchange == Matrix3::identity();
     let option = if is_taken { " (--axes)" } else { "" };
-    text += &format!("axes: {}{option}\n", axes(&found.axes.exchange, found.axes.is_seen));
     let turned: Vec<String> = found
         .mounting
         .iter()
         .zip(AXES)
         .map(|(angle, axis)| format!("{axis} {}", with_interval(angle, DEG, "°")))
         .collect();
-    text += &format!("turned beside them about {}\n", turned.join(", "));
-    for sheet in sheets(found) {
-        text += &format!("\n{}\n", sheet.section);
-        text += &section(&sheet);
-    }
-    text
+    [
+        format!(
+            "{}: {} rows at {rate} Hz{} along {}, {used} identified{remarks}; 95 % intervals",
+            record.name,
+            record.increments.len(),
+            record.counted,
+            given.name
+        ),
+        format!("columns: {}", record.columns.join(", ")),
+        format!("clock: {}", clock(record, found)),
+        format!("axes: {}{option}", axes(&found.axes.exchange, found.axes.is_seen)),
+        format!("turned beside them about {}", turned.join(", ")),
+    ]
 }
 
 fn section(Sheet { lines, noises, .. }: &Sheet) -> String {

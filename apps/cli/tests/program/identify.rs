@@ -264,6 +264,34 @@ fn the_rest_of_a_record_is_checked() {
         read(folder.join("imu_sensor.toml"))
             .contains("found in the first half of the common rows of imu.csv")
     );
+
+    // The same as a page: its sentence and its tables have the figures of the table for the terminal.
+    let said = done(&folder, &of("imu.csv", &["--check", "--twins", "40", "--page", "page.html"]));
+    assert!(
+        said.ends_with("next: open page.html in a browser\n") && said.contains("\n  page.html "),
+        "{said}"
+    );
+    let page = read(folder.join("page.html"));
+    let verdict = "the prediction agrees with the record.";
+    assert!(page.contains("<h1>Sensors of imu.csv</h1>") && page.contains(verdict), "{page}");
+    let last = table.lines().rfind(|line| line.ends_with("agrees")).unwrap();
+    let fields: Vec<&str> = last.split("  ").map(str::trim).filter(|field| !field.is_empty()).collect();
+    let [real, predicted] = [fields[3], fields[4]].map(|field| field.split(' ').next().unwrap());
+    let sentence = format!(
+        "After {} half of the flights on this record are within {real} m, where {predicted} m were predicted: {verdict}",
+        fields[0]
+    );
+    assert!(page.contains(&sentence), "{sentence}");
+    for line in table.lines().filter(|line| line.contains('±') && line.starts_with("  ")) {
+        let (name, value) = (line[2..19].trim(), line[19..].trim());
+        let row = format!("<th scope=\"row\">{name}</th><td>{value}</td>");
+        assert!(page.contains(&row), "{row}");
+    }
+    // Drifts, two of priors, two of residuals, six Allan deviations.
+    assert_eq!(page.matches("<figure>").count(), 11);
+    done(&folder, &of("imu.csv", &["--page", "plain.html"]));
+    let page = read(folder.join("plain.html"));
+    assert!(page.contains(" of the 24 errors of these sensors.") && page.matches("<figure>").count() == 10);
     let json = done(&folder, &of("imu.csv", &["--check", "--twins", "40", "--json"]));
     assert!(
         json.contains("\"check\": {\"length_s\": 197") && json.contains("\"verdict\": \"agrees\""),
@@ -283,6 +311,8 @@ fn the_rest_of_a_record_is_checked() {
         (&["--check", "--truth-sigma", "speed=1"][..], "--truth-sigma speed=1: expected NAME=NUMBER"),
         (&["--truth-sigma", "velocity_m_s=1"], "--check"),
         (&["--check", "--twins", "3"], "40"),
+        (&["--page", "page.svg"], "--page page.svg: expected a name that ends in .html"),
+        (&["--page", "imu.csv"], "--page imu.csv: expected a name that ends in .html"),
         (
             &["--check", "--truth-sigma", "tilt_arcmin=1e9"],
             "--truth-sigma tilt_arcmin=1e9: must be at most 1031",
