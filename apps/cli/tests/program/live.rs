@@ -560,7 +560,11 @@ fn the_log_of_a_killed_session_stays() {
     peer.program.wait().unwrap();
     // The lines of a second are written together.
     assert!(read(folder.join("sins_out/log.csv")).lines().count() > 2 + 40);
-    done(&folder, &["fly", "sins_out/log.toml", "-q"]);
+    // Linux may end a write at a page of memory when the program is killed.
+    let (code, _, errors) = run(&folder, &["fly", "sins_out/log.toml", "-q"]);
+    let is_cut =
+        errors.ends_with(": note: the last line is cut off, and left out\n") && errors.lines().count() == 1;
+    assert!(code == 0 && (errors.is_empty() || is_cut), "{code} {errors}");
     assert!(read(folder.join("sins_out/log_replay.csv")).lines().count() > 5);
 }
 
