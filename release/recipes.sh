@@ -13,6 +13,8 @@ name=${sources##*/}
 rm -rf "$folder"
 mkdir -p "$folder"
 cp -r release/conan release/vcpkg "$folder"
+cp c_examples/minimal.c "$folder/conan/test_package"
+sed -i 's,\.\./\.\./\.\./c_examples/,,' "$folder/conan/test_package/CMakeLists.txt"
 cat >"$folder/conan/conandata.yml" <<END
 sources:
   "$version":
