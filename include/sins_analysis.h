@@ -305,6 +305,11 @@ typedef struct sins_identify_request {
     int32_t axes[3];
     /** With SINS_IDENTIFY_SHIFT: time of the path less time of the record, known to 10 s, -1e12 to 1e12 [s]. */
     double shift_s;
+    /**
+     * Frequency above which the path lacks motion, 0.001 to 1e6 [Hz], as a smoothed path does: path and record are then compared by their
+     * means over a period of it. 0: by means over 0.2 s or more.
+     */
+    double cutoff_hz;
 } sins_identify_request;
 
 /** An increment that real sensors measured. */
@@ -593,7 +598,7 @@ enum sins_analysis_sizeof {
     SINS_SIZEOF_BUDGET_REQUEST = 40,
     SINS_SIZEOF_BUDGET_ROW = 152,
     SINS_SIZEOF_BUDGET = 128,
-    SINS_SIZEOF_IDENTIFY_REQUEST = 32,
+    SINS_SIZEOF_IDENTIFY_REQUEST = 40,
     SINS_SIZEOF_RECORDED_INCREMENT = 72,
     SINS_SIZEOF_IDENTIFIED = 128,
     SINS_SIZEOF_IDENTIFIED_PARAMETER = 304,

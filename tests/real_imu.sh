@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A real INS: the drive of an HGuide n380 and a flight of an unmanned aircraft, which the package onavdata of PyPI has. `sins` finds their
-# columns, judges, flies and smooths them, identifies the sensors of the n380, and predicts how far they drift. Nothing of the data is
+# A real INS: the drive of an HGuide n380 and three flights of an unmanned aircraft, which the package onavdata of PyPI has. `sins` finds
+# their columns, judges, flies and smooths them, identifies their sensors, and predicts how far those of the n380 drift. Nothing of the data is
 # stored in this repository, because their licence is not stated.
 #
 #     tests/real_imu.sh

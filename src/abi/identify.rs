@@ -61,9 +61,12 @@ pub struct sins_identify_request {
     pub axes: [i32; 3],
     /// With SINS_IDENTIFY_SHIFT: time of the path less time of the record, known to 10 s, -1e12 to 1e12 [s].
     pub shift_s: f64,
+    /// Frequency above which the path lacks motion, 0.001 to 1e6 [Hz], as a smoothed path does: path and record are then compared by their
+    /// means over a period of it. 0: by means over 0.2 s or more.
+    pub cutoff_hz: f64,
 }
 
-interface_struct!(sins_identify_request, "request", 32);
+interface_struct!(sins_identify_request, "request", 40);
 
 const ALL_FLAGS: u64 = (SINS_IDENTIFY_SHIFT | SINS_IDENTIFY_STATES) as u64;
 
@@ -155,7 +158,12 @@ impl sins_identify_request {
             grade => Prior::of(Grade::of("request.prior", grade)?),
         };
         let is_known = self.flags & SINS_IDENTIFY_SHIFT != 0;
-        Ok(Request { prior, axes: exchange(self.axes)?, shift_s: is_known.then_some(self.shift_s) })
+        Ok(Request {
+            prior,
+            axes: exchange(self.axes)?,
+            shift_s: is_known.then_some(self.shift_s),
+            cutoff_hz: Some(self.cutoff_hz).filter(|cutoff_hz| *cutoff_hz != 0.0),
+        })
     }
 }
 

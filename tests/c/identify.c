@@ -145,6 +145,8 @@ static void wrong_use_is_answered(void)
     bad_request((sins_identify_request){.axes = {1, 2, INT32_MIN}}, "request.axes[2] = -2147483648: ");
     bad_request((sins_identify_request){.axes = {1, 2, -3}}, "request.axes: must be a signed exchange");
     bad_request((sins_identify_request){.flags = 1, .shift_s = NAN}, "request.shift_s = NaN");
+    bad_request((sins_identify_request){.cutoff_hz = 1e-4}, "request.cutoff_hz = 0.0001: must be from 0.001 to 1000000");
+    bad_request((sins_identify_request){.cutoff_hz = NAN}, "request.cutoff_hz = NaN");
     known.axes[0] = 2;
     known.axes[1] = 1;
     known.axes[2] = -3;

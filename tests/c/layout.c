@@ -470,12 +470,13 @@ AT(sins_budget, left_out_velocity_m_s, 104);
 AT(sins_budget, left_out_attitude_rad, 112);
 AT(sins_budget, ns_per_step, 120);
 
-SIZE(sins_identify_request, SINS_SIZEOF_IDENTIFY_REQUEST, 32);
+SIZE(sins_identify_request, SINS_SIZEOF_IDENTIFY_REQUEST, 40);
 AT(sins_identify_request, struct_size, 0);
 AT(sins_identify_request, flags, 4);
 AT(sins_identify_request, prior, 8);
 AT(sins_identify_request, axes, 12);
 AT(sins_identify_request, shift_s, 24);
+AT(sins_identify_request, cutoff_hz, 32);
 
 SIZE(sins_recorded_increment, SINS_SIZEOF_RECORDED_INCREMENT, 72);
 AT(sins_recorded_increment, struct_size, 0);

@@ -273,7 +273,7 @@ def _span(one: Any) -> Span:
 
 def identify(
     flown: Flown, imu: Any, hours: Optional[float] = None, *, prior: str = "consumer", axes: Optional[str] = None,
-    shift_s: Optional[float] = None, progress: bool = False, **settings: Setting,
+    shift_s: Optional[float] = None, cutoff_hz: Optional[float] = None, progress: bool = False, **settings: Setting,
 ) -> Identified:
     """Finds the errors of real sensors: compares their record with what perfect sensors measure along the true path.
 
@@ -285,7 +285,8 @@ def identify(
 
     prior: what is known of the sensors, strategic, navigation, tactical, industrial or consumer, the widest. axes: the axes of the vehicle
     along x, y and z of the record, if they are known, such as "y x -z". shift_s: time of the path less time of the record, if it is known to 10 s.
-    progress: a line on standard error shows the time that has passed. docs/identify.md says what a record can show.
+    cutoff_hz: the frequency above which the path lacks motion, as a smoothed one does [Hz]: path and record are then compared by their means
+    over a period of it. progress: a line on standard error shows the time that has passed. docs/identify.md says what a record can show.
 
     Raises `sins.Error`, with the reason, for a record of another motion, in other units, too short, or with a sensor that is stuck.
     """
@@ -296,6 +297,10 @@ def identify(
         request.axes = tuple(_axes(axes))
     if shift_s is not None:
         request.flags, request.shift_s = c.IDENTIFY_SHIFT, float(shift_s)
+    if cutoff_hz is not None:
+        if not 1e-3 <= cutoff_hz <= 1e6:
+            raise ValueError(f"cutoff_hz = {cutoff_hz!r}: must be from 0.001 to 1e6")
+        request.cutoff_hz = float(cutoff_hz)
     given = _Given(flown, hours, settings, _increments(imu), request)
     handle, scene = given.handle()
 

@@ -60,8 +60,8 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    /// Checks the record, and makes blocks of it.
-    pub fn new(record: &[RecordedIncrement]) -> Result<Self, Error> {
+    /// Checks the record, and makes blocks of it. Motion above `cutoff_hz`, which the path has not, has no mean over a block.
+    pub fn new(record: &[RecordedIncrement], cutoff_hz: Option<f64>) -> Result<Self, Error> {
         let count = record.len();
         if count < FEWEST_INCREMENTS {
             let rule = Rule::AtLeast("must be at least", (FEWEST_INCREMENTS as u64).into());
@@ -80,7 +80,8 @@ impl Blocks {
             return Err(Error::invalid("record.interval_s", interval_s, rule));
         }
         // Of the time with a record, not of its span: a gap may be longer than the record.
-        let wanted_s = (recorded_s / MOST_BLOCKS).max(SHORTEST_S) * (1.0 - 1e-9);
+        let shortest_s = cutoff_hz.map_or(0.0, |cutoff_hz| 1.0 / cutoff_hz).max(SHORTEST_S);
+        let wanted_s = (recorded_s / MOST_BLOCKS).max(shortest_s) * (1.0 - 1e-9);
         let mut blocks: Vec<Block> = room(count.min(2 * MOST_BLOCKS as usize))?;
         let mut open: Option<Block> = None;
         let mut length_s = 0.0;
@@ -106,7 +107,7 @@ impl Blocks {
         }
         if blocks.len() < FEWEST_INCREMENTS / 2 {
             let rule = Rule::SentenceWith(
-                "too short: blocks of 0.2 s, or of a 4096th of the record, without a gap, at least",
+                "too short: blocks of 0.2 s, or of a 4096th of the record or a period of the cut-off, without a gap, at least",
                 50_u64.into(),
             );
             return Err(Error::invalid("record.blocks", blocks.len(), rule));
@@ -161,11 +162,23 @@ mod tests {
     #[test]
     fn blocks_are_means_and_end_at_gaps() {
         let gap = |k: usize| 0.01 * (k + if k < 1005 { 0 } else { 500 }) as f64;
-        let found = Blocks::new(&record(2005, gap)).unwrap();
+        let found = Blocks::new(&record(2005, gap), None).unwrap();
         assert_eq!(found.blocks.len(), 100);
         assert!(found.blocks.iter().all(|block| (block.mean[0] - 2.0).abs() < 1e-9));
         assert!((found.blocks[50].gap_s - 5.0).abs() < 1e-9, "{:?}", found.blocks[50]);
         assert!(found.blocks.iter().all(|block| (block.length_s() - 0.2).abs() < 1e-9));
+    }
+
+    /// Motion of a period that a block has is not in its mean; a record of less than 50 periods is too short.
+    #[test]
+    fn a_block_is_as_long_as_a_period_of_the_cutoff() {
+        let found = Blocks::new(&record(20_000, |k| 0.01 * k as f64), Some(0.5)).unwrap();
+        assert!(
+            found.blocks.iter().all(|block| (block.length_s() - 2.0).abs() < 1e-9)
+                && found.blocks.len() == 100
+        );
+        let error = Blocks::new(&record(20_000, |k| 0.01 * k as f64), Some(0.1)).err().unwrap().to_string();
+        assert!(error.starts_with("record.blocks = 20: too short"), "{error}");
     }
 
     /// The number of blocks is bounded, whatever the stamps and the gaps are, and a long gap leaves the blocks as short as they are.
@@ -173,7 +186,7 @@ mod tests {
     fn blocks_are_bounded() {
         for (rows, piece, gap_s) in [(400_000, 400_000, 0.0), (400_000, 120, 1.0), (4000, 1000, 1e9)] {
             let time_s = |k: usize| 0.01 * k as f64 + (k / piece) as f64 * gap_s;
-            let blocks = Blocks::new(&record(rows, time_s)).unwrap().blocks;
+            let blocks = Blocks::new(&record(rows, time_s), None).unwrap().blocks;
             assert!(blocks.len() <= 2 * MOST_BLOCKS as usize, "{}", blocks.len());
             let longest_s = blocks.iter().map(Block::length_s).fold(0.0, f64::max);
             assert!(longest_s < 0.01 + (0.01 * rows as f64 / MOST_BLOCKS).max(SHORTEST_S), "{longest_s}");
@@ -182,7 +195,7 @@ mod tests {
 
     #[test]
     fn what_is_no_record_is_named() {
-        let error = |record: &[RecordedIncrement]| Blocks::new(record).err().unwrap().to_string();
+        let error = |record: &[RecordedIncrement]| Blocks::new(record, None).err().unwrap().to_string();
         assert_eq!(error(&[]), "record.count = 0: must be at least 100");
         // Stamps in another unit than the intervals, which would make a block of every increment.
         let fast = record(200, |k| 1e-5 * k as f64);

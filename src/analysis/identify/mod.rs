@@ -89,6 +89,9 @@ pub struct Request {
     pub axes: Option<Matrix3<f64>>,
     /// Path time less record time \[s\], -1e12 to 1e12, if it is known to 10 s: the nearest shift that fits is taken.
     pub shift_s: Option<f64>,
+    /// Frequency above which the path lacks motion \[Hz\], 0.001 to 1e6, as a path that was smoothed does: record and path are compared
+    /// by means over a period of it. Without it, by means over 0.2 s or more.
+    pub cutoff_hz: Option<f64>,
 }
 
 impl Request {
@@ -97,6 +100,9 @@ impl Request {
         self.prior.validate()?;
         if let Some(shift_s) = self.shift_s {
             check_range("request.shift_s", shift_s, -1e12, 1e12)?;
+        }
+        if let Some(cutoff_hz) = self.cutoff_hz {
+            check_range("request.cutoff_hz", cutoff_hz, 1e-3, 1e6)?;
         }
         match &self.axes {
             Some(axes) if !Axes::exchanges().any(|exchange| exchange == *axes) => {

@@ -46,7 +46,7 @@ pub(super) fn identify(
     request: &Request,
 ) -> Result<Identified, Error> {
     request.validate()?;
-    let Blocks { blocks, interval_s } = Blocks::new(record)?;
+    let Blocks { blocks, interval_s } = Blocks::new(record, request.cutoff_hz)?;
     check_gaps(path, &blocks)?;
     let search = Search::new(path, &blocks, request.shift_s)?;
     check_stuck(&search, &blocks)?;

@@ -182,3 +182,50 @@ fn forces_that_the_path_has_not_are_named() {
         assert!(words.contains("at least 0.8 if the path has its forces"), "{words}");
     }
 }
+
+/// A path that was smoothed lacks fast motion, of which the sensors measured the forces. Compared below the cut-off, the biases are right.
+#[test]
+fn a_smoothed_path_is_compared_below_its_cutoff() {
+    let aerobatics = flight("aerobatics");
+    let biases = Vector3::new(5e-3, -3e-3, 4e-3) * G;
+    let unit = Unit::default();
+    let unit = Unit { accel: TriadParameters { bias: biases, ..unit.accel }, ..unit };
+    let mut record = unit.record(&aerobatics, MINUTES);
+    let mut draws = Draws::new(61);
+    // Three shakes of each axis, between 1.3 and 6 Hz.
+    let shakes: Vec<(f64, Vector3<f64>)> = (0..3)
+        .map(|_| (1.3 + 4.7 * draws.unit(), Vector3::from_fn(|_, _| 6.0 * (draws.unit() - 0.5))))
+        .collect();
+    for row in &mut record {
+        for (hz, size) in &shakes {
+            row.increment.velocity += size * (std::f64::consts::TAU * hz * row.time_s).sin() * row.interval_s;
+        }
+    }
+    let path = path(&aerobatics, MINUTES);
+    let with = |cutoff_hz: Option<f64>| {
+        let request = Request { prior: Prior::of(Grade::Industrial), cutoff_hz, ..Request::default() };
+        identify(&path, &record, &request)
+    };
+    let whole = with(None).map(|found| found.accel.bias[0].sigma);
+    let found = with(Some(0.45)).unwrap();
+    for axis in 0..3 {
+        let bias = found.accel.bias[axis];
+        assert!(
+            (bias.value - biases[axis]).abs() < 4.0 * bias.sigma,
+            "{axis}: {bias:?}, not {}",
+            biases[axis]
+        );
+        assert!(
+            whole.as_ref().is_ok_and(|sigma| bias.sigma < 0.5 * sigma) || whole.is_err(),
+            "{whole:?} {bias:?}"
+        );
+    }
+    for (cutoff_hz, named) in [
+        (0.0, "request.cutoff_hz = 0: must be from 0.001"),
+        (f64::NAN, "request.cutoff_hz = NaN"),
+        (0.1, "record.blocks = "),
+    ] {
+        let error = with(Some(cutoff_hz)).unwrap_err().to_string();
+        assert!(error.starts_with(named), "{error}");
+    }
+}

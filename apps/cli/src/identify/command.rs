@@ -62,6 +62,11 @@ pub struct Order {
     /// Time of the path less time of the record [s], if it is known to 10 s
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub shift: Option<f64>,
+    /// Frequency above which the path lacks motion, as "motion above 0.45 Hz is lost" of `sins log` states it
+    ///
+    /// Record and path are compared by their means over a period of it.
+    #[arg(long, value_name = "HZ")]
+    pub cutoff: Option<f64>,
     /// Axes of the path along x, y and z of the record, if they are known: "y x -z"
     #[arg(long, value_name = "AXES", allow_hyphen_values = true)]
     pub axes: Option<String>,
@@ -152,8 +157,11 @@ impl Order {
         if let Some(shift) = self.shift.filter(|shift| !shift.is_finite()) {
             return Err(Failure::new(format!("--shift {shift}: expected a finite number of seconds")));
         }
+        if let Some(cutoff) = self.cutoff.filter(|cutoff| !(1e-3..=1e6).contains(cutoff)) {
+            return Err(Failure::new(format!("--cutoff {cutoff}: expected 0.001 to 1e6 Hz")));
+        }
         let axes = self.axes.as_deref().map(axes).transpose()?;
-        Ok(Request { prior: Prior::of(grade), axes, shift_s: self.shift })
+        Ok(Request { prior: Prior::of(grade), axes, shift_s: self.shift, cutoff_hz: self.cutoff })
     }
 }
 
@@ -211,6 +219,7 @@ mod tests {
             (&["--prior", "best"], "--prior best: expected strategic"),
             (&["--rate", "0"], "--rate 0: expected"),
             (&["--shift", "inf"], "--shift inf"),
+            (&["--cutoff", "0"], "--cutoff 0: expected 0.001 to 1e6 Hz"),
             (&["--imu-map", "a.toml", "--imu-columns", "wx=deg/s"], "--imu-columns"),
         ] {
             assert!(request(more).unwrap_err().contains(named), "{more:?}");

@@ -8,7 +8,7 @@ use super::residual::Residual;
 use crate::drawing::axis::{Axis, Scale};
 use crate::drawing::figure::Legend;
 use crate::drawing::pen::Pen;
-use crate::drawing::plot::{Dot, Drawing, LEFT, Label, Mark, Panel, RIGHT, Trace, WIDTH};
+use crate::drawing::plot::{Dot, Drawing, LEFT, Label, Mark, Panel, Trace, WIDTH};
 use crate::drawing::series::{Points, block_means, bounds, positive_range, thinned};
 use crate::units::{MICRO_G, Unit, significant, six_digits, time_text};
 

@@ -180,6 +180,11 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
         ("record.velocity", Some(value)) if is_size && unit(value).is_none() && value < 0.7 => {
             "; has gravity been taken out, or is a sensor beyond its range?".to_owned()
         }
+        ("record.velocity.x" | "record.velocity.y" | "record.velocity.z", Some(-1.0..=1.0))
+            if error.index.is_none() && order.cutoff.is_none() && error.to_string().contains("few or late fixes") =>
+        {
+            "; --cutoff HZ compares only the motion below it, as that which `sins log` states of a smoothed path".to_owned()
+        }
         ("request.shift_s", _) => " (--shift)".to_owned(),
         ("request.axes", _) => " (--axes)".to_owned(),
         (_, value) => value.and_then(unit).unwrap_or_default(),
