@@ -15,7 +15,10 @@ public:
         }
         log_path = folder / wide(scene.text(SINS_SCENE_TEXT_LOG));
         try {
-            log_ = sins::Log(scene, read_file(log_path));
+            Scene joined = scene; // which gets the files beside the log
+            for (const std::string &name : scene.log_file_names())
+                joined.give_log_file(name, read_file(log_path.parent_path() / wide(name)));
+            log_ = sins::Log(joined, read_file(log_path));
             all = scene.samples(log_->handle());
         } catch (const sins::Error &error) {
             throw Refusal(log_path.wstring() + L": " + told(error));

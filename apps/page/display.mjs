@@ -1,5 +1,6 @@
 // The display: controls of the flight, curves, map, instruments and the table of values, all of the flight in the worker.
 
+import { Axis } from "./axis.mjs";
 import { Curves, MOST_KEPT, QUANTITIES } from "./curves.mjs";
 import { RUNS } from "./runs.mjs";
 import { save } from "./files.mjs";
@@ -44,6 +45,7 @@ export class Display {
         const [curves, map] = [element("div", { class: "plots" }), element("div", { class: "plot" })];
         [this.curves, this.track] = [new Curves(curves), new Track(map)];
         this.indicators = parts("indicators").map((title) => new Indicator(title));
+        this.axis = new Axis();
         this.panel = new Panel(scene.sins, (kind, values) => this.act(kind, values));
         this.values = element("tbody");
         const [of_navigation, of_truth] = parts("values");
@@ -64,6 +66,7 @@ export class Display {
                 element(
                     "section",
                     { class: "beside" },
+                    this.axis.made,
                     this.attitudes,
                     this.panel.made,
                     element("h3", {}, text("Map")),
@@ -124,9 +127,13 @@ export class Display {
         this.findings.replaceChildren(...found.map(({ level, sentence }) => element("li", {}, `${parts("levels")[level]}: ${sentence}`)));
     }
 
-    /** Shows the navigation's error of a name, such as "position", or the chosen one, with marks: [{at_s, name}], over the whole time. */
-    look_at(name, marks) {
+    /**
+     * Shows the navigation's error of a name, such as "position", or the chosen one, with marks: [{at_s, name}], over the whole time; and
+     * the axis of the body in three dimensions, or not.
+     */
+    look_at(name, marks, with_axis) {
         this.curves.look_at(marks);
+        this.axis.made.hidden = !with_axis;
         const chosen = QUANTITIES.findIndex(({ triples }) => triples[0] === `${name}2`);
         if (chosen >= 0) this.choose(chosen);
         this.draw();
@@ -257,6 +264,7 @@ export class Display {
     draw() {
         const { points } = this;
         this.curves.show(this.quantity, points, this.has_model, this.band);
+        if (!this.axis.made.hidden) this.axis.show(points);
         if (points) this.track.show([points.true_path, points.path]);
         else this.track.show([this.path?.place]);
         this.made.classList.toggle("old", Boolean(this.now && this.flown_text !== this.scene.text));

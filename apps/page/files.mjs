@@ -19,7 +19,7 @@ export function choose(accept, take) {
     input.click();
 }
 
-/** Takes files that are dropped on the page. */
+/** Takes files that are dropped on the page, one after the other: scenes first, which say what the others are. */
 export function on_drop(take) {
     const over = (is_over) => document.body.classList.toggle("over", is_over);
     addEventListener("dragover", (event) => {
@@ -27,10 +27,11 @@ export function on_drop(take) {
         over(true);
     });
     addEventListener("dragleave", (event) => event.relatedTarget ?? over(false));
-    addEventListener("drop", (event) => {
+    addEventListener("drop", async (event) => {
         event.preventDefault();
         over(false);
-        for (const file of event.dataTransfer.files) take(file);
+        const files = [...event.dataTransfer.files], is_scene = ({ name }) => name.endsWith(".toml");
+        for (const file of [...files.filter(is_scene), ...files.filter((own) => !is_scene(own))]) await take(file);
     });
 }
 

@@ -194,12 +194,15 @@ export class Flight {
 }
 
 /** The items of a list of a scene, as texts. */
-export function items_of(sins, scene, list) {
-    const items = [];
+export const items_of = (sins, scene, list) => all_of((k) => sins.scene_get_value(scene, `${list}[${k}]`));
+
+/** What the library has at the places from 0 on: it fails behind the last one. */
+export function all_of(read) {
+    const all = [];
     try {
-        for (;;) items.push(sins.scene_get_value(scene, `${list}[${items.length}]`));
+        for (;;) all.push(read(all.length));
     } catch {
-        return items;
+        return all;
     }
 }
 

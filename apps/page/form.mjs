@@ -1,4 +1,4 @@
-// Fields of the scene: a row for each key, with its meaning, unit, limits and fault. An item of a list has a draft, which becomes part of
+// Fields of the scene: a row for each key, with its name, unit and fault, and its meaning and limits as a hint. An item of a list has a draft, which becomes part of
 // the scene as soon as the library accepts it.
 
 import { quoted, unit_name, unquoted } from "./scene.mjs";
@@ -18,7 +18,7 @@ export function row(scene, key, path, changed) {
     const made = element(
         "div",
         { class: key.kind === scene.sins.SCENE_KEY_TEXT ? "row wide" : "row", title: hint },
-        element("label", { for: id }, scene.meaning(path)),
+        element("label", { for: id }, scene.name(path)),
         field,
         element("span", { class: "unit" }, unit_name(key)),
         element("span", { class: "hint", id: `${id}_hint` }, hint),
@@ -35,10 +35,9 @@ export function row(scene, key, path, changed) {
             fault.value = own ? scene.told(own) : "";
             field.setAttribute("aria-invalid", String(own !== undefined));
             if (own === undefined || own.in_text) {
-                const is_default = !words && (value === unquoted(key.default_value) || (key.elements > 1 && value === "0"));
-                field.value = is_default ? "" : value.replace(/^\[|\]$/g, "");
+                field.value = !words && scene.is_default(key, value) ? "" : value.replace(/^\[|\]$/g, "");
             }
-            made.classList.toggle("off", value === "" || value === unquoted(key.default_value));
+            made.classList.toggle("off", scene.is_default(key, value));
         },
     };
 }
@@ -96,7 +95,7 @@ function summary(scene, draft) {
     for (const [name, value] of Object.entries(values)) {
         const key = scene.key(`${section}.${name}`);
         if (scene.words(key)) words.push(scene.word_label(key, value));
-        else numbers.push(`${label(`${key.path}.short`, name.replace(/_(deg|m|s|h|hz)$|_s$/, "").replaceAll("_", " "))} ${value} ${unit_name(key)}`);
+        else numbers.push(`${label(`${key.path}.short`, scene.name(key.path))} ${value} ${unit_name(key)}`);
     }
     return `${words.join(" ")}: ${numbers.join(", ")}`;
 }
@@ -182,6 +181,19 @@ function told_with_item(scene, fault) {
 }
 
 const LISTS = { manoeuvre: "Manoeuvres", failure: "Failures of sensors", update: "Updates", panel: "Panel of the INS" };
+
+/** A heading that folds what stands below it, unless something of it is set: is_set() tells it. */
+export function folded(title, is_set, ...content) {
+    const part = element("details", {}, element("summary", {}, title), ...content), made = element("div", {}, part);
+    let was_set = false;
+    made.refresh = () => {
+        const is_now = is_set();
+        // What a user sets back does not fold below the pointer.
+        if (is_now !== was_set && (is_now || !part.contains(document.activeElement))) part.open = is_now;
+        was_set = is_now;
+    };
+    return made;
+}
 
 /** A heading and what stands below it. */
 export const group = (title, ...content) => element("section", {}, element("h3", {}, title), ...content);

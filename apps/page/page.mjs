@@ -4,11 +4,11 @@ import { load } from "sins";
 import { Cost } from "./cost.mjs";
 import { Display } from "./display.mjs";
 import { of_link, on_drop, choose, save, text_of, to_link, unpacked } from "./files.mjs";
-import { fields, group, items, presets, section_name, select_place } from "./form.mjs";
+import { fields, folded, group, items, presets, section_name, select_place } from "./form.mjs";
 import { lesson_made, lesson_of, row_of } from "./lessons.mjs";
 import { Scene, unit_name } from "./scene.mjs";
 import { element, language, options, parts, read_texts, remember_language, speak, stored_language, text } from "./texts.mjs";
-import { fly_log, GENERAL, refresh_within, trajectory } from "./trajectory.mjs";
+import { fly_log, GENERAL, log_of, refresh_within, trajectory } from "./trajectory.mjs";
 import { Colleague, serve } from "./worker.mjs";
 
 /** Time after the last letter in the text, or the last change of the scene, after which others follow [ms]. */
@@ -28,6 +28,8 @@ class Page {
         /** What the page has opened, which stands in the address: its part of the address, its scene, and the lesson if it is one. */
         this.open = { hash: null, text: null, lesson: null, is_first: false };
         this.scene = new Scene(sins);
+        /** The last log, and the files beside it by their names. */
+        [this.log, this.beside] = [null, new Map()];
         this.pilot = new Colleague(this.address, module);
         this.scene.addEventListener("change", ({ source }) => this.on_change(source));
         this.scene.addEventListener("refused", () => this.refresh_fields());
@@ -90,8 +92,8 @@ class Page {
     /** The tabs of the settings, each with its panel. */
     tabs() {
         const { scene } = this, names = parts("tabs");
-        const section = (own) => fields(scene, scene.keys.filter((key) => key.section === own && key.name !== "preset"));
-        const folded = (title, ...content) => element("details", {}, element("summary", {}, title), ...content);
+        const keys_of = (own) => scene.keys.filter((key) => key.section === own && key.name !== "preset"), section = (own) => fields(scene, keys_of(own));
+        const part = (own, ...content) => folded(section_name(own), () => keys_of(own).some((key) => !scene.is_default(key)), ...content, section(own));
         const failure = () => `[[failure]]\nsensor = "gyro"\naxis = "x"\nkind = "dead"\nfrom_s = ${this.display.now?.time_s ?? 0}\n`;
         this.text = element("textarea", { id: "text", spellcheck: "false", wrap: "off", "aria-label": text("Text of the scene"), "aria-describedby": "text_faults" });
         this.text.oninput = () => this.later("typed", () => scene.parse(this.text.value));
@@ -100,11 +102,11 @@ class Page {
             [names[0]]: () => [trajectory(scene, (file) => this.take_file(file))],
             [names[1]]: () => [
                 group(section_name("options"), section("options")),
-                ...["gyro", "accelerometer"].map((own) => folded(section_name(own), presets(scene, own), section(own))),
-                ...["altimeter", "gravity"].map((own) => folded(section_name(own), section(own))),
-                folded(text("Failures of sensors"), items(scene, "failure", failure)),
+                ...["gyro", "accelerometer"].map((own) => part(own, presets(scene, own))),
+                ...["altimeter", "gravity"].map((own) => part(own)),
+                folded(text("Failures of sensors"), () => scene.items("failure").length > 0, items(scene, "failure", failure)),
             ],
-            [names[2]]: () => [presets(scene, "start"), section("start"), group(section_name("mounting"), section("mounting"))],
+            [names[2]]: () => [presets(scene, "start"), section("start"), part("mounting")],
             [text("Unit")]: () => [group(text("Panel of the INS"), items(scene, "panel", () => '[[panel]]\nkind = "align"\nat_s = 0\n')), section("unit")],
             [text("Text")]: () => [this.text, this.faults, group(section_name("output"), fields(scene, [scene.key(OUTPUT)])), group(text("Updates"), items(scene, "update", () => '[[update]]\nkind = "position"\nat_s = 60\nsigma_m = 10\n'))],
         };
@@ -125,7 +127,7 @@ class Page {
 
     /** A field that finds keys by words of their name, meaning and unit, and the fields found, shown instead of the tabs. */
     finder(tabs) {
-        const { scene } = this, given = (key) => `${key.path} ${this.name_of(key)} ${scene.meaning(key.path)} ${unit_name(key)}`.toLowerCase();
+        const { scene } = this, given = (key) => `${key.path} ${this.name_of(key)} ${scene.name(key.path)} ${scene.meaning(key.path)} ${unit_name(key)}`.toLowerCase();
         const can_stand = scene.keys.filter((key) => this.name_of(key) && key.name !== "preset" && (key.section !== "flight" || GENERAL.includes(key.name)));
         const field = element("input", { type: "search", id: "find", "aria-label": text("Find a setting"), placeholder: text("Find a setting") });
         field.oninput = () => {
@@ -197,17 +199,21 @@ class Page {
         this.build();
     }
 
-    /** Opens a scene, or flies a log. */
+    /** Opens a scene, flies a log, or keeps a file that the [log] of the scene names beside its log. */
     async take_file(file) {
-        const { scene, display } = this, is_log = /\.(csv|txt|log|igc|gpx|fdr)$/i.test(file.name);
+        const { scene, display } = this, names = scene.beside(), is_log = /\.(csv|txt|log|igc|gpx|fdr)$/i.test(file.name);
         try {
-            if (is_log) {
+            if (names.includes(file.name) || is_log) {
+                if (names.includes(file.name)) this.beside.set(file.name, file);
+                else this.log = file;
+                const [missing] = names.filter((name) => !this.beside.has(name)).concat(this.log ? [] : log_of(scene) ?? []), { log } = this;
+                if (missing || !log) return display.say(missing ? text("log_missing", missing) : "", true);
                 display.say(text("computing"));
-                const { samples, duration_s, findings } = await this.pilot.ask("log", { file, text: scene.faults.length ? null : scene.text });
-                [display.previewed, display.log_name, display.logs] = [null, file.name, display.logs + 1];
-                const [fault] = fly_log(scene, file.name);
+                const { samples, duration_s, findings } = await this.pilot.ask("log", { file: log, beside: [...this.beside.values()], text: scene.faults.length ? null : scene.text });
+                [display.previewed, display.log_name, display.logs] = [null, log.name, display.logs + 1];
+                const [fault] = fly_log(scene, log.name);
                 display.show_findings(findings);
-                display.say(fault ? scene.told(fault) : text("log_read", file.name, samples, shown_s(duration_s)), Boolean(fault));
+                display.say(fault ? scene.told(fault) : text("log_read", log.name, samples, shown_s(duration_s)), Boolean(fault));
             } else {
                 const written = await text_of(file);
                 this.text.value = written;
@@ -264,7 +270,7 @@ class Page {
         this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson, this.scene, () => this.display.fly(), (written) => this.study().ask("step_times", { text: written }))] : []));
         refresh_within(this.lesson);
         this.display.call = () => Array.from(this.lesson.querySelectorAll(".slider output"), (own) => own.value).join(", ");
-        this.display.look_at(shows, (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })));
+        this.display.look_at(shows, (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })), lesson?.axis);
         if (lesson?.shows === "cost") this.lead.after(this.cost.made, this.display.made);
         else this.lead.after(this.display.made, this.cost.made);
     }

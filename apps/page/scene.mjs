@@ -1,7 +1,7 @@
 // The scene of the page: its values by their paths, such as "gyro.bias_deg_h" and "manoeuvre[3].bank_deg", and its faults. Every list of
 // keys, words, units and limits is the library's.
 
-import { items_of } from "./flight.mjs";
+import { all_of, items_of } from "./flight.mjs";
 import { label, shown, text, told } from "./texts.mjs";
 
 export class Scene extends EventTarget {
@@ -22,12 +22,12 @@ export class Scene extends EventTarget {
 
     /** The names of the built-in scenes. */
     builtins() {
-        const names = [];
-        try {
-            for (;;) names.push(this.sins.scene_builtin_name(names.length));
-        } catch {
-            return names; // there are no more
-        }
+        return all_of((k) => this.sins.scene_builtin_name(k));
+    }
+
+    /** The names of the files beside the log of the scene. */
+    beside() {
+        return all_of((k) => this.sins.scene_log_file_name(this.handle, k));
     }
 
     /** The key of a path, which may have places in lists. */
@@ -38,6 +38,15 @@ export class Scene extends EventTarget {
     meaning(path) {
         const key = this.key(path ?? "");
         return key && label(key.path, key.meaning);
+    }
+
+    /** The name of a key beside its field: in English the words of the key without its unit, otherwise its meaning up to the first mark. */
+    name(path) {
+        const key = this.key(path), told = label(key.path, ""), plain = key.name.replace(UNIT, "");
+        if (told) return told.split(/[；，：（]/)[0];
+        // A key alignment_s beside one alignment is its time.
+        const time = plain !== key.name && this.by_path.has(`${key.section}.${plain}`) ? " time" : "";
+        return plain.replaceAll("_", " ").replace(/(?<=g|temperature)2/, "²") + time;
     }
 
     /** The sentence of a fault in the language of the user. */
@@ -79,13 +88,19 @@ export class Scene extends EventTarget {
         return this.told({ sentence: error.message, path: info?.field, ...info });
     }
 
+    /** Whether a value of a key is that which it has without a line. */
+    is_default(key, value = this.get(key.path)) {
+        return ["", unquoted(key.default_value)].includes(value) || (key.elements > 1 && value === "0");
+    }
+
     /** Meaning, unit and range of a key. */
     hint(key) {
         const { LIMITS, ZERO } = { LIMITS: this.sins.SCENE_KEY_LIMITS, ZERO: this.sins.SCENE_KEY_ZERO_IS_OFF };
         const range = key.flags & ZERO ? "range_or_0" : "range";
         const limits = key.flags & LIMITS ? text(range, shown(key.minimum, 6), shown(key.maximum, 6)) : "";
         const many = key.elements === 3 ? text("three_numbers") : key.elements === 9 ? text("nine_numbers") : "";
-        return [limits + (limits && key.unit ? ` ${unit_name(key)}` : ""), many, key.default_value && text("default_is", key.default_value)]
+        const meaning = this.meaning(key.path), is_told = meaning === this.name(key.path);
+        return [!is_told && meaning, limits + (limits && key.unit ? ` ${unit_name(key)}` : ""), many, key.default_value && text("default_is", key.default_value)]
             .filter(Boolean)
             .join("; ");
     }
@@ -205,6 +220,8 @@ export class Scene extends EventTarget {
 /** The lines of which a title may speak: all but options, output and rate; and the number of manoeuvres. */
 const what_flies = (written) => [...written.replace(/^\[(options|output)\]\n(.+\n)*|^rate_hz = .*\n/gm, "").split("\n"), written.split("[[man").length];
 
+/** The unit at the end of the name of a key. */
+const UNIT = /(_(deg|h2?|s2?|m|mm|km|g2?|k2?|c|hz|ppm|per|sqrt|micro|arcsec|arcmin|mgal|kt))+$/;
 export const unit_name = (key) => key.unit.replace("deg C", "°C").replaceAll("deg", "°").replace("micro-g", "µg").replace("sqrt", "√").replace(/2$/, "²");
 
 export function unquoted(value) {

@@ -4,7 +4,7 @@
 import { load } from "sins";
 import { measure, step_times } from "./measure.mjs";
 import { band_of } from "./runs.mjs";
-import { FAILED, Flight, FLYING, Samples, fault_of } from "./flight.mjs";
+import { FAILED, Flight, FLYING, Samples, all_of, fault_of } from "./flight.mjs";
 
 /** Length of a piece of work, between which messages are read [ms]. */
 const PIECE_MS = 12;
@@ -69,11 +69,16 @@ export function serve() {
         async library({ module }) {
             sins = await load(module);
         },
-        /** Reads a flight log from its file, by the [log] of a scene; text: null for a log with columns of the library's own names. */
-        async log({ file, text }) {
-            const bytes = await file.arrayBuffer();
+        /** Reads a flight log from its file and those beside it, by the [log] of a scene; text: null for columns of the library's own names. */
+        async log({ file, beside, text }) {
+            const [bytes, ...others] = await Promise.all([file, ...beside].map((own) => own.arrayBuffer()));
             asked++;
-            const [parsed] = text ? with_scene(text, (scene) => sins.log_parse(bytes, scene)) : sins.log_parse(bytes, null);
+            const joined = (scene) => {
+                const names = all_of((k) => sins.scene_log_file_name(scene, k));
+                beside.forEach(({ name }, k) => names.includes(name) && sins.scene_give_log_file(scene, name, others[k]));
+                return sins.log_parse(bytes, scene);
+            };
+            const [parsed] = text ? with_scene(text, joined) : sins.log_parse(bytes, null);
             if (flight?.samples.log) end();
             log?.close();
             log = parsed;

@@ -5,7 +5,9 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
+import { resolve } from "node:path";
 import test, { after, before } from "node:test";
+import { pathToFileURL } from "node:url";
 
 import { at_times, tick_texts } from "../../apps/page/curves.mjs";
 import { lessons_of } from "../../apps/page/pack/lessons_of.mjs";
@@ -247,5 +249,55 @@ test("flight records in GPX, IGC and FDR, and a table with semicolons, fly when 
         await fly(page);
         await same_as_program(page, `circle_${name.slice(-3)}`);
         await page.context().close();
+    }
+});
+
+test("files beside a log are dropped with it, in any order and number: as in sins fly", async (context) => {
+    // North at 60 m/s with a slow roll: positions each 0.2 s, attitudes each 0.25 s.
+    const rows = (count, line) => Array.from({ length: count }, (_, k) => line(k)).join("\n");
+    const texts = {
+        "joined.toml": `[flight]\nfile = "POS.csv"\n[log]\ntime = "t"\nlatitude = "lat"\nlongitude = "lon"\nheight = "h"\n${[["roll", "Roll"], ["pitch", "Pitch"], ["heading", "Yaw"]].map(([key, col]) => `${key} = { col = "${col}", file = "ATT.csv" }\n`).join("")}[gyro]\npreset = "tactical"\n[output]\nevery_s = 0.5\n`,
+        "POS.csv": `t,lat,lon,h\n${rows(300, (k) => `${(k / 5).toFixed(2)},${(48 + (60 * k) / 5 / 111195).toFixed(11)},11,900`)}\n`,
+        "ATT.csv": `t,Roll,Pitch,Yaw\n${rows(241, (k) => `${(k / 4).toFixed(2)},${(3 * Math.sin(k / 40)).toFixed(6)},2,0`)}\n`,
+    };
+    for (const [name, own] of Object.entries(texts)) writeFileSync(`${out}/flown/${name}`, own);
+    const path = (name) => `${out}/flown/${name}`, read = /^POS\.csv: \d+ samples, 59/;
+    const whole = await opened(context, { hash: "#rest" });
+    await drop(whole, path("ATT.csv"), path("POS.csv"), path("joined.toml"));
+    await until(whole, read);
+    await fly(whole);
+    assert.match(await same_as_program(whole, "joined"), /ATT\.csv/);
+    // One by one, what is still missing is said.
+    const page = await opened(context, { hash: "#rest" });
+    await drop(page, path("joined.toml"));
+    await until(page, /ATT\.csv is not here yet|POS\.csv is not here yet/);
+    await drop(page, path("POS.csv"));
+    await until(page, /ATT\.csv is not here yet/);
+    await drop(page, path("ATT.csv"));
+    await until(page, read);
+    // A file beside the log that was changed is read again.
+    writeFileSync(path("ATT.csv"), texts["ATT.csv"].replace("\n1.00,", "\n1.00,x"));
+    await drop(page, path("ATT.csv"));
+    await until(page, /ATT\.csv:6: .*x0/);
+    writeFileSync(path("ATT.csv"), texts["ATT.csv"]);
+    await drop(page, path("ATT.csv"));
+    await until(page, read);
+});
+
+test("of a longer flight the ten minutes that turn most are measured, from where they turn on", async () => {
+    const [{ load }, { measure }] = await Promise.all([resolve(process.env.SINS_MODULE), "apps/page/measure.mjs"].map((path) => import(pathToFileURL(resolve(path)))));
+    const sins = await load(), straight = (duration_s) => `[[manoeuvre]]\nkind = "straight"\nduration_s = ${duration_s}\n`;
+    const cone = ["roll", "pitch"].map((channel, k) => `[[manoeuvre.sinusoid]]\nchannel = "${channel}"\namplitude_deg = 5\nfrequency_hz = 0.5\nphase_deg = ${90 * k}\n`).join("");
+    const measured = (before_s, behind_s) => {
+        const scene = sins.scene_parse(`[flight]\nspeed_m_s = 100\nlatitude_deg = 45\n${straight(before_s)}[[manoeuvre]]\nkind = "sinusoids"\nduration_s = 60\nramp_s = 5\n${cone}${straight(behind_s)}`);
+        const found = measure(sins, scene, { scheme: "exact", subsamples: 1, rate_hz: 10 });
+        scene.close();
+        return found;
+    };
+    const short = measured(10, 530);
+    assert.equal(short.flown_s, 600);
+    for (const [before_s, behind_s] of [[1, 5000], [3000, 2000], [100000, 3000]]) {
+        const { error_m, flown_s } = measured(before_s, behind_s);
+        assert.ok(flown_s === 600 && error_m > 0.8 * short.error_m && error_m < 1.3 * short.error_m, `${before_s}: ${error_m}, not ${short.error_m}`);
     }
 });

@@ -326,3 +326,35 @@ test("sliders by the keyboard, and a slider follows the form", async (context) =
     await set(page, "start.misalignment_arcmin", "0.6, 0, 0");
     assert.deepEqual([await tilt.inputValue(), await tilt.getAttribute("aria-valuetext")], ["1", "0.6 arcmin"]);
 });
+
+test("the lesson on coning draws the axes of the body: a cone, with half of the roll half as wide, and a plane without roll", async (context) => {
+    const page = await opened(context, { hash: "#lesson=coning" }), canvas = page.locator(".axis canvas");
+    const told = async () => /up to (\S+)° from the vertical; .* (\S+)° to the right/.exec(await canvas.getAttribute("aria-label")).slice(1).map(Number);
+    /** Width and height of the dots: of the pixels of the colour of the true axis that are no part of a line. */
+    const dots = () => canvas.evaluate((own) => {
+        const { width, height } = own, { data } = own.getContext("2d").getImageData(0, 0, width, height), ink = getComputedStyle(document.documentElement).getPropertyValue("--data1").trim();
+        const wanted = [1, 3, 5].map((at) => Number.parseInt(ink.slice(at, at + 2), 16)), found = [];
+        for (let y = 0; y < height / 3; y++) for (let x = 0; x < width; x++) if (wanted.every((part, k) => data[4 * (y * width + x) + k] === part)) found.push([x, y]);
+        const span = (all) => Math.max(...all) - Math.min(...all);
+        return { wide: span(found.map(([x]) => x)), count: found.length };
+    });
+    await until(page, /^Finished/);
+    const whole = await dots(), [angle, turned] = await told();
+    assert.ok(Math.abs(angle - 5) < 0.06 && Math.abs(Math.abs(turned) - 3.2) < 0.1, `${angle}, ${turned}`);
+    const roll = page.locator('[data-slides="manoeuvre[0].sinusoid[0].amplitude_deg"]');
+    await roll.fill("2");
+    const shows = (from, to) => page.waitForFunction(([low, high]) => {
+        const off = Math.abs(Number(/(\S+)° to the right/.exec(document.querySelector(".axis canvas").getAttribute("aria-label"))[1]));
+        return off >= low && off <= high;
+    }, [from, to]);
+    await shows(1.5, 1.7);
+    await page.screenshot({ path: `${out}/axis.png` });
+    await roll.fill("0");
+    await shows(0, 1e-3);
+    const plane = await dots(), [in_plane] = await told();
+    assert.ok(Math.abs(in_plane - 5) < 0.06, `${in_plane}`);
+    assert.ok(plane.wide < 0.7 * whole.wide && plane.count < whole.count, JSON.stringify([whole, plane]));
+    await page.goto(`${page.url().split("#")[0]}#lesson=schuler`);
+    await until(page, /^Finished/);
+    assert.equal(await canvas.isVisible(), false);
+});

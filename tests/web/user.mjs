@@ -97,13 +97,13 @@ export async function same_as_program(page, name) {
     return scene.toString();
 }
 
-/** Drops a file on the page. */
-export async function drop(page, path) {
-    await page.evaluate(() => document.body.append(Object.assign(document.createElement("input"), { type: "file", id: "dropped", hidden: true })));
-    await page.setInputFiles("#dropped", path);
+/** Drops files on the page, all at once. */
+export async function drop(page, ...paths) {
+    await page.evaluate(() => document.body.append(Object.assign(document.createElement("input"), { type: "file", id: "dropped", hidden: true, multiple: true })));
+    await page.setInputFiles("#dropped", paths);
     await page.evaluate(() => {
         const data = new DataTransfer(), input = document.getElementById("dropped");
-        data.items.add(input.files[0]);
+        for (const file of input.files) data.items.add(file);
         input.remove();
         document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
     });
