@@ -71,6 +71,9 @@ const TURNS: f64 = 0.95;
 /// Bank and roll of a flight straight on, in which the nose of a glider does not follow the air \[rad\].
 const STRAIGHT: f64 = 10.0 * DEG;
 
+/// Bank and roll of a vehicle that does not fly on its back \[rad\].
+const UPRIGHT: f64 = 75.0 * DEG;
+
 /// A sum of unit vectors in the plane.
 #[derive(Debug, Clone, Copy)]
 struct Direction {
@@ -97,6 +100,8 @@ impl Direction {
 struct Banked {
     bank: f64,
     roll: f64,
+    /// Mean of the roll over both.
+    mean: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -123,6 +128,8 @@ pub(super) struct Attitudes {
     /// Roll less bank, on the rate of the bank, where that falls and where it grows: the slope is how late the roll is. A heading shows no
     /// delay: wind turns it in every turn.
     delays: [Regression; 2],
+    /// The same of the mean of the roll: the bank is one too, so a roll that changes at once has no delay by it.
+    delay_of_means: Regression,
 }
 
 impl Attitudes {
@@ -142,6 +149,7 @@ impl Attitudes {
             held: [Stretches::NONE; 2],
             banked: [None; 2],
             delays: [Regression::NONE; 2],
+            delay_of_means: Regression::NONE,
         }
     }
 
@@ -191,7 +199,8 @@ impl Attitudes {
         ] {
             self.held[stretches].add(blocks[0], is_held, turn, limit);
         }
-        self.add_banked(Banked { bank, roll }, 0.5 * length_s);
+        let mean = (blocks[0].rolled + blocks[1].rolled) / length_s;
+        self.add_banked(Banked { bank, roll, mean }, 0.5 * length_s);
         let path = atan2(v.z, speed);
         if speed > 15.0 && roll.abs() < 1.0 && path.abs() < 1.2 && coarse.up_m < 0.02 * speed * length_s {
             self.climb.add(path, pitch);
@@ -213,12 +222,13 @@ impl Attitudes {
 
     /// `between_s`: time from the middle of a block to that of the next [s].
     fn add_banked(&mut self, now: Banked, between_s: f64) {
-        let is_upright = |at: &Banked| at.bank.abs().max(at.roll.abs()) < 75.0 * DEG;
+        let is_upright = |at: &Banked| at.bank.abs().max(at.roll.abs()) < UPRIGHT;
         if let [Some(first), Some(middle)] = self.banked
             && [first, middle, now].iter().all(is_upright)
         {
             let rate = (now.bank - first.bank) / (2.0 * between_s);
             self.delays[usize::from(rate > 0.0)].add(-rate, middle.roll - middle.bank);
+            self.delay_of_means.add(-rate, middle.mean - middle.bank);
         }
         self.banked = [self.banked[1], Some(now)];
     }
@@ -260,7 +270,9 @@ impl Attitudes {
         let banks = (0.5..1.6).contains(&(mixed / bank2));
         // A slip in a single bend is a delay where the bank grows, and the opposite where it falls.
         let is_of = |part: &Regression| part.xx > 0.1 * both.xx && part.xy / part.xx / delay_s > 0.5;
+        let (_, of_means_s, _) = self.delay_of_means.figures();
         let is_shown = banks
+            && of_means_s / delay_s > 0.5
             && both.count >= LEAST_OF_DELAY
             && correlation.abs() > SHOWS_DELAY
             && self.delays.iter().all(is_of);

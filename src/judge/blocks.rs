@@ -7,7 +7,7 @@ use super::finding::At;
 use super::row::Row;
 use super::velocity::Velocities;
 use crate::base::error::Error;
-use crate::base::math::Euler;
+use crate::base::math::{Euler, wrap_angle};
 use crate::base::memory::filled;
 
 /// Lengths of blocks: 1 s to 512 s.
@@ -25,6 +25,8 @@ pub(super) struct Block {
     pub moved: [Vector3<f64>; 5],
     /// Integral of the velocity up [m].
     pub moved_up_m: f64,
+    /// Integral of the roll [rad s].
+    pub rolled: f64,
     /// First row.
     pub begin: At,
     /// Whether each row has a velocity.
@@ -47,6 +49,7 @@ impl Block {
             climb_m: self.climb_m + next.climb_m,
             moved,
             moved_up_m: self.moved_up_m + next.moved_up_m,
+            rolled: self.rolled + next.rolled,
             begin: self.begin,
             has_velocity: self.has_velocity && next.has_velocity,
             is_held: self.is_held && next.is_held,
@@ -128,12 +131,15 @@ impl Blocks {
         if let (Some(now), Some(before)) = (&products, &self.products) {
             moved = core::array::from_fn(|k| (now[k] + before[k]) * (0.5 * t));
         }
+        let roll = wrap_angle(row.euler.roll);
+        let roll_before = self.last.map_or(roll, |(_, euler)| wrap_angle(euler.roll));
         let own = Block {
             length_s: t,
             d_e: row.d_e,
             climb_m: row.d_n.z,
             moved,
             moved_up_m: 0.5 * (up_m_s + self.up_m_s) * t,
+            rolled: 0.5 * (roll + roll_before) * t,
             begin: self.last.map_or(row.at, |(at, _)| at),
             has_velocity: products.is_some() && self.products.is_some(),
             is_held: self.last.is_some_and(|(_, euler)| euler == row.euler),

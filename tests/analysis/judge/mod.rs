@@ -3,9 +3,12 @@
 pub mod faults;
 pub mod flights;
 
-use sins::earth::Earth;
-use sins::judge::{Finding, Judge, Level};
+use nalgebra::Vector3;
+use sins::earth::{Earth, Geodetic};
+use sins::judge::{Finding, Judge, Kind, Level};
+use sins::math::Euler;
 use sins::truth::{FlightSample, IntakeLimits};
+use sins::units::STANDARD_GRAVITY;
 
 /// The findings in `samples`.
 fn judged(samples: &[FlightSample]) -> Vec<Finding> {
@@ -95,6 +98,52 @@ fn uneven_samples_are_right() {
             })
             .collect();
         assert_eq!(judged(&samples), []);
+    }
+}
+
+/// Simulators of a point turn at once: their roll is that of each moment, and changes from one row to the next, at any phase of the rows.
+#[test]
+fn a_bank_that_changes_at_once_is_not_on_another_clock() {
+    let (earth, speed, turn) = (Earth::default(), 60.0, 0.05);
+    for rate_hz in [50.0, 10.0, 5.0, 2.0] {
+        for begin_s in [0.0, 0.05, 0.3, 0.45, 0.7, 0.95] {
+            let mut place = Geodetic { latitude_rad: 0.8, longitude_rad: 0.2, height_m: 600.0 };
+            let (mut heading, mut samples) = (0.3_f64, Vec::new());
+            let count = (240.0 * rate_hz) as usize;
+            for k in 0..count {
+                let time_s = k as f64 / rate_hz;
+                let rate_of =
+                    |time_s: f64| if (time_s - begin_s).rem_euclid(60.0) < 20.0 { turn } else { 0.0 };
+                let roll = (speed * rate_of(time_s) / STANDARD_GRAVITY).atan();
+                let euler = Euler { roll, pitch: 0.03, heading };
+                let v_n = Some(Vector3::new(speed * heading.sin(), speed * heading.cos(), 0.0));
+                samples.push(FlightSample {
+                    time_s,
+                    place,
+                    v_n,
+                    euler,
+                    omega_ib_b: None,
+                    f_b: None,
+                    temperature_c: None,
+                });
+                let step_s = 1.0 / (rate_hz * 40.0);
+                for part in 0..40 {
+                    let half = 0.5 * rate_of(time_s + f64::from(part) * step_s + 1e-9) * step_s;
+                    heading += half;
+                    let radii = earth.radii(place.latitude_rad.sin());
+                    place.latitude_rad +=
+                        speed * heading.cos() * step_s / (radii.meridian_m + place.height_m);
+                    let across_m = (radii.transverse_m + place.height_m) * place.latitude_rad.cos();
+                    place.longitude_rad += speed * heading.sin() * step_s / across_m;
+                    heading += half;
+                }
+            }
+            for samples in [flights::without_velocities(&samples), samples] {
+                let found = judged(&samples);
+                let late = found.iter().find(|finding| finding.kind == Kind::AttitudeLate);
+                assert!(late.is_none(), "{rate_hz} Hz, from {begin_s} s on: {}", late.unwrap());
+            }
+        }
     }
 }
 
