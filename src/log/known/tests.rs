@@ -1,7 +1,9 @@
 //! A sample of each known format, recognized and read.
 
+use super::super::survey::survey;
 use super::super::survey::tests::read;
 use super::*;
+use crate::scene::Scene;
 
 /// A sample of each known format: two seconds, at 48° north and 11° east, at 300 m, climbing, banked to the right.
 const SAMPLES: [(&str, &str); 27] = [
@@ -178,4 +180,62 @@ fn every_known_format_is_recognized_and_read() {
             );
         }
     }
+}
+
+/// The speed of a receiver beside its velocities has their unit, which a speed alone has not: it agrees with what flies.
+#[test]
+fn the_speed_beside_velocities_has_their_unit() {
+    let circle = |k: i32| {
+        let angle = 0.02 * f64::from(k);
+        let [north_m, east_m] = [500.0 * angle.sin(), 500.0 * (1.0 - angle.cos())];
+        let [north, east] = [50.0 * angle.cos(), 50.0 * angle.sin()];
+        let latitude = 48e7 + north_m / 111_195.0 * 1e7;
+        let longitude = 11e7 + east_m / (111_195.0 * 48_f64.to_radians().cos()) * 1e7;
+        format!(
+            "{},3,14,{longitude:.0},{latitude:.0},300000,254000,{:.0},{:.0},0,50000,0\n",
+            216_000_000 + 200 * k,
+            1e3 * north,
+            1e3 * east
+        )
+    };
+    let rows: String = (0..200).map(circle).collect();
+    let names = "iTOW,fixType,numSV,lon,lat,height,hMSL,velN,velE,velD,gSpeed,headMot\n";
+    let flown = |table: &str| {
+        let found = survey(table.as_bytes()).unwrap();
+        assert_eq!(found.format, Some("u-blox NAV-PVT"));
+        let text = format!("[flight]\nfile = \"a.csv\"\n[log]\n{}", found.text);
+        Scene::parse(text.as_bytes()).unwrap().read_log(table.as_bytes()).unwrap()
+    };
+    let log = flown(&format!("{names}{rows}"));
+    let said: Vec<&str> = log.notes().iter().map(|note| &*note.sentence).collect();
+    assert!(said.iter().any(|note| note.contains("gSpeed (speed in mm/s)")), "{said:?}");
+    assert!(log.of_rows().is_empty(), "{:?}", log.of_rows());
+    // Half of the speed still contradicts it.
+    let half = format!("{names}{rows}").replace(",50000,0\n", ",25000,0\n");
+    assert!(!flown(&half).of_rows().is_empty());
+}
+
+/// A simulator that gives its angles in radians may give its position in radians too.
+#[test]
+fn a_small_position_beside_radians_is_asked_about() {
+    let (_, table) = SAMPLES.iter().find(|(name, _)| *name == "SimConnect").unwrap();
+    let rows = |scale: f64| {
+        let mut lines = table.lines();
+        let names = lines.next().unwrap();
+        let at = |name: &str| names.split(',').position(|own| own == name).unwrap();
+        let places = [at("PLANE LATITUDE"), at("PLANE LONGITUDE")];
+        let scaled = lines.map(|line| {
+            let cells = line.split(',').enumerate().map(|(place, cell)| match places.contains(&place) {
+                true => (cell.parse::<f64>().unwrap() * scale).to_string(),
+                false => cell.to_owned(),
+            });
+            cells.collect::<Vec<_>>().join(",")
+        });
+        format!("{names}\n{}\n", scaled.collect::<Vec<_>>().join("\n"))
+    };
+    assert!(survey(rows(1.0).as_bytes()).unwrap().questions.is_empty());
+    let found = survey(rows(1_f64.to_radians()).as_bytes()).unwrap();
+    assert_eq!(found.format, Some("SimConnect"));
+    assert!(found.questions[0].sentence.ends_with("are small: degrees or radians?"), "{found:?}");
+    assert!(!found.text.contains("latitude"), "{found:?}");
 }

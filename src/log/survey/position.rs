@@ -1,5 +1,7 @@
 //! Positions that are no degrees: the readings that agree with the other columns, and those that are asked about.
 
+use core::f64::consts::{FRAC_PI_2, PI};
+
 use super::letters::with_part;
 use super::motion::{COURSE_FITS_DEG, Motion, READINGS, Reading, Row, alone};
 use super::times::SPEEDS;
@@ -31,6 +33,12 @@ impl Draft<'_> {
                 self.take([latitude, longitude], &READINGS[6], "");
             } else if !is_possible {
                 self.ask_for_position([latitude, longitude], &motion, time_si);
+            } else if self.value("roll").is_some_and(|roll| roll.contains("unit = \"rad\"")) {
+                // Beside angles in radians, a small position may be in radians too.
+                let is_small = |row: &Row| row.latitude.abs() <= FRAC_PI_2 && row.longitude.abs() <= PI;
+                if motion.rows.iter().all(is_small) {
+                    self.ask_for_radians([latitude, longitude], &motion);
+                }
             }
             return;
         }

@@ -324,3 +324,28 @@ fn a_variation_is_for_magnetic_headings() {
     let (found, _) = read("t,lat,lon,alt,roll,pitch,HDG\n0,48,11,300,1,2,90\n1,48,11.0007,300,1,2,90\n");
     assert!(doubts(&found, "may be magnetic"), "{found:?}");
 }
+
+/// Clocks that count from the year 0, in seconds or milliseconds, are shifted to times that a sample may have; an answer to the question
+/// what they are is too.
+#[test]
+fn times_from_long_ago_are_shifted() {
+    for (name, unit, is_asked) in [("time", 1.0, false), ("time", 1e3, false), ("ABSOLUTE CLOCK", 1.0, true)]
+    {
+        let rows: String = (0..60)
+            .map(|k| (63_800_000_000.0 + 0.1 * f64::from(k), 48.0 + 5.4e-5 * f64::from(k)))
+            .map(|(time_s, latitude)| format!("{:.1},{latitude:.7},11,300\n", unit * time_s))
+            .collect();
+        let table = format!("{name},latitude,longitude,height_m\n{rows}");
+        if is_asked {
+            let found = survey(table.as_bytes()).unwrap();
+            let answers = &found.questions[0].answers;
+            let answer =
+                "time = { col = \"ABSOLUTE CLOCK\", add = -63800000000 }  # 10 Hz, 60.0 m/s over ground";
+            assert!(answers.iter().any(|own| own.starts_with(answer)), "{answers:?}");
+            continue;
+        }
+        let (found, log) = read(&table);
+        let [first, .., last] = log.samples() else { panic!("{found:?}") };
+        assert!(first.time_s == 0.0 && (last.time_s - 5.9).abs() < 1e-4, "{} {}", first.time_s, last.time_s);
+    }
+}

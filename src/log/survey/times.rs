@@ -7,6 +7,7 @@ use super::motion::{Motion, READINGS, alone, median};
 use super::{Draft, Question, SLOW_HZ, clock};
 use crate::base::records::rounded;
 use crate::base::text::excerpt;
+use crate::truth::FlightSample;
 
 /// Speeds over ground of vehicles \[m/s\], and rates of logs \[Hz\].
 pub const SPEEDS: core::ops::RangeInclusive<f64> = 0.3..=1000.0;
@@ -130,7 +131,19 @@ impl Draft<'_> {
                 None => return,
             },
         };
-        self.set("time", self.column(place, part));
+        let si = UNITS.iter().find(|(_, known, _)| *known == part).map_or(1.0, |(.., si)| *si);
+        let column = self.column(place, &(part.to_owned() + &self.from_begin(place, si)));
+        self.set("time", column);
+    }
+
+    /// What shifts times to those that a sample may have, if they count from long ago: clocks of simulators count from the year 0.
+    fn from_begin(&self, place: usize, si: f64) -> String {
+        let first_s = self.grid.numbers(place).first().map_or(0.0, |first| first * si);
+        if first_s.abs() > FlightSample::LATEST_S {
+            format!(", add = {}", -first_s.floor())
+        } else {
+            String::new()
+        }
     }
 
     /// What a column of times says of its unit, if nothing states it: the unit that agrees with the speed of the table; otherwise the first
@@ -207,7 +220,8 @@ impl Draft<'_> {
                 return None;
             }
             let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s over ground"));
-            let answer = format!("time = {}  # {} Hz{speed}", self.column(place, part), rounded(rate_hz, 4));
+            let column = self.column(place, &(part.to_owned() + &self.from_begin(place, si)));
+            let answer = format!("time = {column}  # {} Hz{speed}", rounded(rate_hz, 4));
             Some(self.with_smoothing(answer, rate_hz))
         };
         UNITS.into_iter().filter_map(answer).collect()

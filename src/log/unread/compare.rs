@@ -103,10 +103,11 @@ impl Compared<'_> {
     pub(super) fn sizes(&self, dimension: Dimension) -> Vec<(&'static str, f64)> {
         let is_speed = self.column.quantity == Some(SPEED);
         let slowest = if is_speed { SLOWEST_UNIT } else { 0.0 };
+        let may_be_slow = |unit: &str| !self.column.unit.is_empty() || unit == self.column.beside;
         let units =
             units_of(dimension).filter(|unit| self.column.unit.is_empty() || *unit == self.column.unit);
         let sizes = units.filter_map(|unit| unit_of(dimension, unit));
-        sizes.filter(|(_, size)| !self.column.unit.is_empty() || *size >= slowest).collect()
+        sizes.filter(|(unit, size)| may_be_slow(unit) || *size >= slowest).collect()
     }
 
     /// The motion that flies, with the numbers of the column as speeds and as courses in units of these sizes.

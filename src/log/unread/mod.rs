@@ -50,6 +50,8 @@ pub struct Unread {
     like: Option<Like>,
     /// The unit that its name states; empty: none.
     unit: &'static str,
+    /// The unit of the velocities that are read, which it may have too; empty: none is stated.
+    beside: &'static str,
     /// -1: its name says that it has the opposite sign.
     sign: f64,
     /// Whether it is of a flight record: a speed is over ground, and the path through the rare rows may be shorter than the way.
@@ -81,8 +83,10 @@ impl Evidence {
         let is_read =
             |place: usize| only == Some(place) || columns.iter().flatten().any(|column| column.reads(place));
         let unread = names.iter().enumerate().filter(|(place, _)| !is_read(*place));
-        let of_motion =
-            unread.filter_map(|(place, name)| Some((Unread::of(place, name)?, clock(TimeFormat::Number))));
+        let beside = mapping.columns[VELOCITY].unit;
+        let of_motion = unread.filter_map(|(place, name)| {
+            Some((Unread { beside, ..Unread::of(place, name)? }, clock(TimeFormat::Number)))
+        });
         let separator = mapping.separator;
         Self { columns: of_motion.take(MOST).collect(), line, separator, missing: mapping.missing }
     }
@@ -136,6 +140,7 @@ impl Unread {
             quantity: Some(quantity),
             like: None,
             unit,
+            beside: "",
             sign: 1.0,
             of_record: true,
             format: None,
@@ -183,6 +188,7 @@ impl Unread {
             quantity,
             like,
             unit,
+            beside: "",
             sign,
             of_record: false,
             format: None,
