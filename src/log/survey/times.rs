@@ -132,12 +132,12 @@ impl Draft<'_> {
             },
         };
         let si = UNITS.iter().find(|(_, known, _)| *known == part).map_or(1.0, |(.., si)| *si);
-        let column = self.column(place, &(part.to_owned() + &self.from_begin(place, si)));
+        let column = self.column(place, &(part.to_owned() + &self.shift_of(place, si)));
         self.set("time", column);
     }
 
     /// What shifts times to those that a sample may have, if they count from long ago: clocks of simulators count from the year 0.
-    fn from_begin(&self, place: usize, si: f64) -> String {
+    fn shift_of(&self, place: usize, si: f64) -> String {
         let first_s = self.grid.numbers(place).first().map_or(0.0, |first| first * si);
         if first_s.abs() > FlightSample::LATEST_S {
             format!(", add = {}", -first_s.floor())
@@ -220,7 +220,7 @@ impl Draft<'_> {
                 return None;
             }
             let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s over ground"));
-            let column = self.column(place, &(part.to_owned() + &self.from_begin(place, si)));
+            let column = self.column(place, &(part.to_owned() + &self.shift_of(place, si)));
             let answer = format!("time = {column}  # {} Hz{speed}", rounded(rate_hz, 4));
             Some(self.with_smoothing(answer, rate_hz))
         };
