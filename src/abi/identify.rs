@@ -157,13 +157,9 @@ impl sins_identify_request {
             0 => Prior::default(),
             grade => Prior::of(Grade::of("request.prior", grade)?),
         };
-        let is_known = self.flags & SINS_IDENTIFY_SHIFT != 0;
-        Ok(Request {
-            prior,
-            axes: exchange(self.axes)?,
-            shift_s: is_known.then_some(self.shift_s),
-            cutoff_hz: Some(self.cutoff_hz).filter(|cutoff_hz| *cutoff_hz != 0.0),
-        })
+        let shift_s = (self.flags & SINS_IDENTIFY_SHIFT != 0).then_some(self.shift_s);
+        let cutoff_hz = Some(self.cutoff_hz).filter(|cutoff_hz| *cutoff_hz != 0.0);
+        Ok(Request { prior, axes: exchange(self.axes)?, shift_s, cutoff_hz })
     }
 }
 

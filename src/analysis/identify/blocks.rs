@@ -60,7 +60,7 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    /// Checks the record, and makes blocks of it. Motion above `cutoff_hz`, which the path has not, has no mean over a block.
+    /// Checks the record, and makes blocks of it, at least as long as a period of `cutoff_hz`: faster motion hardly changes their means.
     pub fn new(record: &[RecordedIncrement], cutoff_hz: Option<f64>) -> Result<Self, Error> {
         let count = record.len();
         if count < FEWEST_INCREMENTS {
@@ -169,7 +169,7 @@ mod tests {
         assert!(found.blocks.iter().all(|block| (block.length_s() - 0.2).abs() < 1e-9));
     }
 
-    /// Motion of a period that a block has is not in its mean; a record of less than 50 periods is too short.
+    /// Blocks are as long as a period of the cut-off, and a record of fewer than 50 periods is too short.
     #[test]
     fn a_block_is_as_long_as_a_period_of_the_cutoff() {
         let found = Blocks::new(&record(20_000, |k| 0.01 * k as f64), Some(0.5)).unwrap();

@@ -18,8 +18,8 @@ pub struct Settings {
     /// Sets a key of the scene, such as gyro.bias_deg_h=0.01; `sins keys` lists all keys. Can be repeated
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Reads the log by the [log] of this file, which names the column of each quantity. A name that ends neither in .toml nor is that of a
-    /// built-in scene is then that of a log
+    /// Reads the log by the [log] of this file, which names the column of each quantity. A file is then a log, unless its name ends in
+    /// .toml or is that of a built-in scene
     #[arg(long, value_name = "FILE.toml")]
     pub columns: Option<PathBuf>,
     /// `--hours` of the commands that have it: another `flight.hours`.

@@ -102,7 +102,7 @@ impl Text {
                     "a flight of your own is a log in a file .csv; docs/your_log.md says what a log has"
                 }
                 None => {
-                    "is read as a scene in TOML, because its name does not end in .csv; --log takes a log of any name, and so does --columns"
+                    "is read as a scene in TOML, because its name does not end in .csv; --log or --columns reads it as a log"
                 }
             };
             // Without a value it is no scene, and each line is a fault.

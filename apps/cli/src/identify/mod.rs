@@ -183,7 +183,7 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
         ("record.velocity.x" | "record.velocity.y" | "record.velocity.z", Some(-1.0..=1.0))
             if error.index.is_none() && order.cutoff.is_none() && error.to_string().contains("few or late fixes") =>
         {
-            "; --cutoff HZ compares only the motion below it, as that which `sins log` states of a smoothed path".to_owned()
+            "; --cutoff HZ compares only the motion below HZ: `sins log` states the frequency above which a smoothed path has lost it".to_owned()
         }
         ("request.shift_s", _) => " (--shift)".to_owned(),
         ("request.axes", _) => " (--axes)".to_owned(),

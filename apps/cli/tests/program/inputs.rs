@@ -210,7 +210,7 @@ fn files_of_other_kinds_are_named() {
     assert_eq!(errors.lines().count(), 2, "{errors}");
     assert!(
         errors.ends_with(
-            "notes.txt: is read as a scene in TOML, because its name does not end in .csv; --log takes a log of any name, and so does --columns\n"
+            "notes.txt: is read as a scene in TOML, because its name does not end in .csv; --log or --columns reads it as a log\n"
         ),
         "{errors}"
     );
