@@ -37,11 +37,12 @@ const SHOWS_DELAY: f64 = 0.8;
 const SIDEWAYS: f64 = 45.0 * DEG;
 
 /// What a heading may be instead: sign and factor.
-const HEADINGS: [(&str, f64); 4] = [
+const HEADINGS: [(&str, f64); 5] = [
     ("", 1.0),
     ("anticlockwise, or the opposite sign", -1.0),
     ("degrees taken for radians", DEG),
     ("radians taken for degrees", 1.0 / DEG),
+    ("radians taken for degrees, anticlockwise", -1.0 / DEG),
 ];
 
 /// Turns of the track, all added, below which a heading of its own turns as the track by chance \[rad\]; and least share of them, less that
@@ -65,11 +66,26 @@ const IN_RADIANS: core::ops::Range<f64> = 0.012..0.024;
 const OFF_ALL_ROUND: f64 = 5.0 * DEG;
 const OFF_IN_TURNS: f64 = 10.0 * DEG;
 
-/// Length of the mean direction of the track below which a flight turns enough to tell the wind from an error of the heading.
+/// The same of a flight that turns a little: both the angle off the track and what is left of it without a constant wind \[rad\].
+const OFF_IN_LITTLE_TURNS: f64 = 20.0 * DEG;
+
+/// The same of any flight, where it needs a wind across the nose of this speed \[m/s\].
+const OFF_IN_ANY_WIND: f64 = 25.0 * DEG;
+const WIND_M_S: f64 = 30.0;
+
+/// Lengths of the mean direction of the track below which a flight turns enough, and a little, to tell the wind from an error of the
+/// heading.
 const TURNS: f64 = 0.95;
+const TURNS_LITTLE: f64 = 0.98;
 
 /// Bank and roll of a flight straight on, in which the nose of a glider does not follow the air \[rad\].
 const STRAIGHT: f64 = 10.0 * DEG;
+
+/// Turns of the track, all added, by which those of the heading are judged \[rad\]; squares of their difference, as a share of those of the
+/// turns, which are none of the wind's, and which are.
+const TURNED: f64 = 90.0 * DEG;
+const DIFFER: f64 = 0.5;
+const EQUAL: f64 = 0.1;
 
 /// Bank and roll of a vehicle that does not fly on its back \[rad\].
 const UPRIGHT: f64 = 75.0 * DEG;
@@ -108,7 +124,7 @@ struct Banked {
 pub(super) struct Attitudes {
     count: f64,
     track: Direction,
-    headings: [Direction; 4],
+    headings: [Direction; 5],
     crab: Crab,
     /// Sum of the speeds [m/s].
     speeds: f64,
@@ -116,6 +132,9 @@ pub(super) struct Attitudes {
     before: Option<[f64; 2]>,
     turned: f64,
     turned_with: f64,
+    /// Σ turn² of the track, and of what turns of the heading by the factors of [`HEADINGS`] differ from those of the track \[rad²\].
+    turned2: f64,
+    differ2: [f64; 5],
     /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank, Σ roll².
     turns: [f64; 6],
     /// Pitch on the angle of the path, and that of the flight straight on.
@@ -137,12 +156,14 @@ impl Attitudes {
         Self {
             count: 0.0,
             track: Direction::NONE,
-            headings: [Direction::NONE; 4],
+            headings: [Direction::NONE; 5],
             crab: Crab::NONE,
             speeds: 0.0,
             before: None,
             turned: 0.0,
             turned_with: 0.0,
+            turned2: 0.0,
+            differ2: [0.0; 5],
             turns: [0.0; 6],
             climb: Regression::NONE,
             straight_climb: Regression::NONE,
@@ -216,6 +237,11 @@ impl Attitudes {
             let with = wrap_angle(heading - heading_before) * turn;
             self.turned += turn.abs();
             self.turned_with += if with == 0.0 { 0.0 } else { turn.abs().copysign(with) };
+            self.turned2 += turn * turn;
+            for (sum, (_, factor)) in self.differ2.iter_mut().zip(HEADINGS) {
+                let differs = wrap_angle((heading - heading_before) * factor) - turn;
+                *sum += differs * differs;
+            }
         }
         self.before = Some([track, heading]);
     }
@@ -288,7 +314,10 @@ impl Attitudes {
     pub fn heading_unit(&self) -> Option<(f64, Clue)> {
         let [as_it_is, ..] = self.headings.map(|sum| sum.length() / self.count);
         let turned = self.track.length() / self.count < 0.9;
-        if !self.is_enough() || !turned || as_it_is >= 0.8 {
+        if self.is_enough() && !turned {
+            return self.heading_unit_by_turns();
+        }
+        if !self.is_enough() || as_it_is >= 0.8 {
             return None;
         }
         let lengths = self.headings.map(|sum| sum.length() / self.count);
@@ -296,6 +325,14 @@ impl Attitudes {
         // By chance the mean direction of a drone that turns as it likes agrees.
         let leads = self.is_fast() || self.leads(HEADINGS[best].1 < 0.0);
         (lengths[best] > 0.9 && leads).then_some((as_it_is, Clue::Known(HEADINGS[best].0)))
+    }
+
+    /// The same of an aeroplane that turns, but never far: by the turns alone.
+    fn heading_unit_by_turns(&self) -> Option<(f64, Clue)> {
+        let shares = self.differ2.map(|sum| sum / self.turned2);
+        let is_judged = self.turned > TURNED && self.is_aeroplane() && shares[0] > DIFFER;
+        let best = shares.iter().position(|&share| share < EQUAL).filter(|_| is_judged)?;
+        Some(((1.0 - shares[0]).max(0.0), Clue::Known(HEADINGS[best].0)))
     }
 
     /// Angle of the heading off the track [rad], if it is constant and large, and what that means: wind makes no constant angle in a flight
@@ -309,9 +346,20 @@ impl Attitudes {
         let leads = self.leads(false);
         let is_all_round = length < ALL_ROUND && (leads || self.is_fast());
         let all_round = Some(angle).filter(|angle| is_all_round && angle.abs() > OFF_ALL_ROUND);
-        let turns = length < TURNS && leads;
-        let of_wind = self.crab.offset().filter(|offset| turns && offset.abs() > OFF_IN_TURNS);
-        let off = all_round.or(of_wind).filter(|_| share > 0.9);
+        let of_wind = self.crab.offset().filter(|_| leads).and_then(|offset| match length {
+            ..TURNS => (offset.abs() > OFF_IN_TURNS).then_some(offset),
+            // A wind that changes moves the offset by some 10°, so the angle off the track has to be as large.
+            ..TURNS_LITTLE => {
+                let is_large = |off: f64| off * angle.signum() > OFF_IN_LITTLE_TURNS;
+                (is_large(offset) && is_large(angle)).then_some(angle)
+            }
+            _ => None,
+        });
+        let is_beyond_wind = leads
+            && angle.abs() > OFF_IN_ANY_WIND
+            && self.speeds / self.count * sin_cos(angle).0.abs() > WIND_M_S;
+        let beyond_wind = Some(angle).filter(|_| is_beyond_wind);
+        let off = all_round.or(of_wind).or(beyond_wind).filter(|_| share > 0.9);
         if let Some(off) = off.filter(|off| off.abs() < SIDEWAYS || self.roll().is_none()) {
             return Some((off, Level::Doubtful));
         }

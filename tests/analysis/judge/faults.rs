@@ -276,7 +276,7 @@ fn attitudes_of_another_sign_or_unit_are_found() {
         let damage = |samples: &[FlightSample]| each(samples, |_, sample| change(sample));
         missed(&[kind], least, 10.0, damage)
     };
-    // The airliner turns by 50° only: its heading can have an offset.
+    // The airliner turns by 50° only, in a wind that changes.
     let heading = |change: fn(f64) -> f64| {
         of_each(Kind::HeadingUnit, Level::Unusable, &move |sample| {
             sample.euler.heading = change(sample.euler.heading);
@@ -400,6 +400,38 @@ fn constant_errors_of_headings_are_found() {
             assert_eq!(own.level, Level::Doubtful, "{own}");
             assert!((own.figure / DEG - error_deg).abs() < 3.0, "{length_s} s {error_deg}: {own}");
             assert!(judged(rows).is_empty(), "{:?}", judged(rows));
+        }
+    }
+}
+
+/// The same of a flight that turns by 22° only: large constant errors, and headings of another unit or sign.
+#[test]
+fn headings_of_little_turns_are_judged() {
+    let pieces = |flight: &Good| [0..6000, 0..2400, 3600..6000].map(|rows| flight.samples[rows].to_vec());
+    for rows in flights::aeroplanes_in_little_turns(10.0).iter().flat_map(pieces) {
+        assert_eq!(judged(&rows), []);
+        let found_of = |change: &dyn Fn(f64) -> f64, kind: Kind| {
+            let found = judged(&each(&rows, |_, sample| sample.euler.heading = change(sample.euler.heading)));
+            let own = found.iter().find(|finding| finding.kind == kind).cloned();
+            own.unwrap_or_else(|| {
+                panic!("{} rows at {:?}, {:?}, {kind:?}: {found:?}", rows.len(), rows[0].v_n, change(1.0))
+            })
+        };
+        for error_deg in [40.0, -42.0] {
+            let found = found_of(&|heading| heading + error_deg * DEG, Kind::HeadingOffTrack);
+            assert_eq!(found.level, Level::Doubtful, "{found}");
+            assert!((found.figure / DEG - error_deg).abs() < 13.0, "{error_deg}: {found}");
+        }
+        let changes: [(&str, fn(f64) -> f64); 4] = [
+            ("opposite sign", |heading| -heading),
+            ("degrees taken for radians", |heading| heading / DEG),
+            ("radians taken for degrees?", |heading| heading * DEG),
+            ("radians taken for degrees, anticlockwise", |heading| (90.0 * DEG - heading) * DEG),
+        ];
+        for (words, change) in changes {
+            let found = found_of(&change, Kind::HeadingUnit);
+            assert_eq!(found.level, Level::Unusable, "{found}");
+            assert!(found.to_string().contains(words), "{words}: {found}");
         }
     }
 }

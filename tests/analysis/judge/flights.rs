@@ -106,13 +106,28 @@ pub fn glider_in_thermals(rate_hz: f64) -> Good {
     })
 }
 
+/// It turns to both sides by up to an angle \[rad\] and 0.065 rad/s, at a speed in a wind of a time \[m/s\].
+fn aeroplane_in_turns(rate_hz: f64, by: f64, speed: f64, wind: impl Fn(f64) -> [f64; 2]) -> Good {
+    vehicle("aeroplane in the wind", rate_hz, |t| {
+        let phase = 0.065 / by * t;
+        let (heading, turn) = (0.4 + by * phase.sin(), 0.065 * phase.cos());
+        let [east, north] = wind(t);
+        let v = Vector3::new(speed * heading.sin() + east, speed * heading.cos() + north, 0.5);
+        (v, Euler { roll: (speed * turn / 9.81).atan(), pitch: 0.05, heading })
+    })
+}
+
 /// It turns to both sides in a wind of a third of its speed.
 pub fn aeroplane_in_wind(rate_hz: f64) -> Good {
-    vehicle("aeroplane in the wind", rate_hz, |t| {
-        let (heading, turn) = (0.4 + 1.3 * (0.05 * t).sin(), 1.3 * 0.05 * (0.05 * t).cos());
-        let v = Vector3::new(45.0 * heading.sin() + 12.0, 45.0 * heading.cos() - 9.0, 0.5);
-        (v, Euler { roll: (45.0 * turn / 9.81).atan(), pitch: 0.05, heading })
-    })
+    aeroplane_in_turns(rate_hz, 1.3, 45.0, |_| [12.0, -9.0])
+}
+
+/// Turns of 22° to both sides: slowly in a steady wind, and faster in one that grows by 20 m/s in its ten minutes.
+pub fn aeroplanes_in_little_turns(rate_hz: f64) -> [Good; 2] {
+    [
+        aeroplane_in_turns(rate_hz, 22.0 * DEG, 45.0, |_| [4.0, -3.0]),
+        aeroplane_in_turns(rate_hz, 22.0 * DEG, 90.0, |t| [t / 30.0, 5.0]),
+    ]
 }
 
 /// Vehicles that do not fly like aeroplanes, at 50 Hz.
