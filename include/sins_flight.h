@@ -193,7 +193,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 /* Judges of samples. */
 
 /** Most findings of a flight. */
-#define SINS_FINDINGS_MAX 30
+#define SINS_FINDINGS_MAX 31
 
 /** What was found, and what the figure of the finding is. */
 typedef enum sins_finding_kind {
@@ -256,7 +256,9 @@ typedef enum sins_finding_kind {
     /** Attitude in steps; figure: the step of an angle [rad]. */
     SINS_FINDING_COARSE_ATTITUDE = 28,
     /** Columns of a log that are not read contradict what flies; figure: number of them. */
-    SINS_FINDING_UNREAD_CONTRADICTS = 29
+    SINS_FINDING_UNREAD_CONTRADICTS = 29,
+    /** Level flight above the air: height in a smaller unit than metres; figure: the height [m]. */
+    SINS_FINDING_HEIGHT_ABOVE_AIR = 30
 } sins_finding_kind;
 
 /** What a finding means for a flight of these samples. */

@@ -185,6 +185,9 @@ impl Judge {
             let acceleration_m_s2 = self.flown(acceleration);
             found.add(Finding { at: farthest.at, count: spikes, acceleration_m_s2, ..own });
         }
+        if let Some((at, height_m)) = self.above_air.found {
+            found.add(Finding { at, ..Finding::new(Kind::HeightAboveAir, Level::Doubtful, height_m) });
+        }
         self.find_acceleration(found);
     }
 

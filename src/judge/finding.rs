@@ -85,6 +85,8 @@ pub enum Kind {
     CoarseAttitude = 28,
     /// Columns of a log that are not read contradict what flies; figure: number of them.
     UnreadContradicts = 29,
+    /// Level flight above the air: height in a smaller unit than metres; figure: the height [m].
+    HeightAboveAir = 30,
 }
 
 /// What explains a finding.
@@ -203,6 +205,7 @@ impl Finding {
                 | Kind::PitchSign
                 | Kind::AttackNegative
                 | Kind::HeightUnit
+                | Kind::HeightAboveAir
                 | Kind::AttitudeHeld
                 | Kind::AttitudeLate
         ) || self.is_of_two();
@@ -323,7 +326,7 @@ impl Finding {
                 "right for a vehicle on wheels or in a hover, else check unit and sign of roll"
             }
             Kind::AttackNegative => "right for a helicopter, else check the sign of pitch",
-            Kind::HeightUnit => "state the unit of the height",
+            Kind::HeightUnit | Kind::HeightAboveAir => "state the unit of the height",
             Kind::AttitudeHeld => "correct these attitudes, or set attitude = \"coordinated\" in [log]",
             Kind::UnreadContradicts => "compare them, and correct the log, or its columns and units in [log]",
             Kind::AttitudeLate => {

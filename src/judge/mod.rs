@@ -4,6 +4,7 @@
 //! noise, steps and manoeuvres of the flight itself set, so that no good flight is found doubtful. Displacements are Earth-fixed: no
 //! statistic is singular at a pole or at the date line. Medians are those of `histogram`s.
 
+mod above_air;
 mod attitude;
 mod blocks;
 mod conclude;
@@ -31,6 +32,7 @@ use crate::base::error::Error;
 use crate::base::math::{Euler, sin_cos, wrap_angle};
 use crate::earth::Earth;
 use crate::truth::FlightSample;
+use above_air::AboveAir;
 use blocks::{Blocks, Coarseness};
 use induced_error::InducedError;
 use late::Lateness;
@@ -42,7 +44,7 @@ use stamps::Stamps;
 use wrap::Wrap;
 
 /// Largest number of findings of a flight.
-pub const MAX_FINDINGS: usize = 30;
+pub const MAX_FINDINGS: usize = 31;
 
 /// Cosine of the pitch below which the angles of the attitude say nothing about its noise.
 const NEAR_ZENITH: f64 = 0.2;
@@ -76,6 +78,7 @@ pub struct Judge {
     angle_steps: AttitudeSteps,
     lateness: Lateness,
     positions: Positions,
+    above_air: AboveAir,
     blocks: Blocks,
     wraps: [Wrap; 2],
     effect: InducedError,
@@ -107,6 +110,7 @@ impl Judge {
             angle_steps: AttitudeSteps::new(),
             lateness: Lateness::new(),
             positions: Positions::new(),
+            above_air: AboveAir::new(),
             blocks: Blocks::new()?,
             wraps: [const { Wrap::new() }; 2],
             effect: InducedError::new(),
@@ -201,6 +205,7 @@ impl Judge {
             self.effect.add(&self.earth, row);
         }
         self.lateness.add(row);
+        self.above_air.add(&self.earth, row);
         self.add_turn(&sample.euler, &last.euler, t);
         let had_unfixed = self.positions.unfixed() > 0;
         self.positions.add(row, sample, usual_s, fourth);

@@ -144,6 +144,11 @@ impl fmt::Display for Finding {
                 "the path climbs {} times as steeply as the nose points (is the height in feet?)",
                 Digits(1.0 / self.figure)
             ),
+            (Kind::HeightAboveAir, _) => write!(
+                f,
+                "it flies level at {} km at {at} s, where no air carries it (is the height in millimetres?)",
+                Digits(self.figure / 1000.0)
+            ),
             (Kind::AttitudeHeld, clue) => {
                 let what = if clue == Clue::None { "attitude" } else { "heading" };
                 let turn = Digits((self.figure / crate::base::units::DEG).abs());

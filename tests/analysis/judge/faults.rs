@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use sins::judge::{Finding, Kind, Level};
-use sins::math::{SPLIT_MIX_STEP, mix, wrap_angle};
+use sins::math::{Euler, SPLIT_MIX_STEP, mix, wrap_angle};
 use sins::truth::FlightSample;
 
 use super::flights::{self, Good, Samples, without_velocities};
@@ -434,6 +434,44 @@ fn headings_of_little_turns_are_judged() {
             assert!(found.to_string().contains(words), "{words}: {found}");
         }
     }
+}
+
+/// Heights in millimetres or centimetres, without velocities: nothing flies level above the air. An orbit, a free fall and a rocket
+/// that goes on are no level flights.
+#[test]
+fn level_flight_above_the_air_is_doubtful() {
+    let above = |samples: &[FlightSample]| {
+        judged(samples).into_iter().find(|finding| finding.kind == Kind::HeightAboveAir)
+    };
+    for name in ["racetrack", "commuter", "patrol"] {
+        for rate_hz in [50.0, 10.0, 1.0] {
+            let rows = without_velocities(&flights::scene(name, rate_hz).samples);
+            assert_eq!(above(&rows), None);
+            let highest_m = rows.iter().map(|row| row.place.height_m).fold(0.0, f64::max);
+            for height_m in [400e3, 1500e3] {
+                let factor = height_m / highest_m;
+                let found = above(&each(&rows, |_, sample| sample.place.height_m *= factor));
+                let found = found.unwrap_or_else(|| panic!("{name} {rate_hz} Hz {height_m}"));
+                assert_eq!(found.level, Level::Doubtful);
+                assert!(found.figure >= 100e3, "{found}");
+            }
+        }
+    }
+    let still = Euler { roll: 0.0, pitch: 0.0, heading: 0.0 };
+    let height_of = |begin_m: f64, up: fn(f64) -> f64| {
+        let mut samples = flights::vehicle("", 1.0, |_| (Vector3::new(200.0, 0.0, 0.0), still)).samples;
+        for sample in &mut samples {
+            sample.place.height_m = begin_m + up(sample.time_s);
+        }
+        samples.retain(|sample| sample.place.height_m > 0.0);
+        without_velocities(&samples)
+    };
+    assert!(above(&height_of(200e3, |_| 0.0)).is_some());
+    assert_eq!(above(&height_of(200e3, |t| (2000.0 - 0.5 * 9.2 * t) * t)), None, "a free fall");
+    assert_eq!(above(&height_of(100e3, |t| 0.5 * 10.0 * t * t)), None, "2 g upwards");
+    let orbit = flights::vehicle("", 1.0, |_| (Vector3::new(7400.0, 0.0, 0.0), still)).samples;
+    let orbit = each(&without_velocities(&orbit), |_, sample| sample.place.height_m = 300e3);
+    assert_eq!(above(&orbit), None);
 }
 
 /// A roll in radians beside a heading in degrees.

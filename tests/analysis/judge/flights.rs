@@ -162,10 +162,10 @@ pub fn vehicles() -> Vec<Good> {
                 Euler { roll: -0.15 * (25.0 * 0.05 * phase.sin() / 9.8), ..level(heading) },
             )
         }),
-        // 3 g upwards for a minute, then coasting, and down by a parachute: its attitude is at the zenith.
+        // 3 g upwards for half a minute, then coasting, and down by a parachute: its attitude is at the zenith.
         vehicle("rocket", 50.0, |t| {
-            let up = if t < 60.0 { 30.0 * t } else { (1800.0 - 9.5 * (t - 60.0)).max(-100.0) };
-            (Vector3::new(0.5 * t.min(60.0), 0.0, up), Euler { roll: 0.0, pitch: 89.0 * DEG, heading: 0.0 })
+            let up = if t < 30.0 { 30.0 * t } else { (900.0 - 9.5 * (t - 30.0)).max(-100.0) };
+            (Vector3::new(0.5 * t.min(30.0), 0.0, up), Euler { roll: 0.0, pitch: 89.0 * DEG, heading: 0.0 })
         }),
         vehicle("balloon", 50.0, |t| {
             let v = Vector3::new(6.0 + (0.02 * t).sin(), 2.0 * (0.013 * t).cos(), 4.0);
