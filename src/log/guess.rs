@@ -50,8 +50,23 @@ const NAMES: &[(&str, &[&str])] = &[
             "uhrzeit",
         ],
     ),
-    ("latitude", &["latitudegeodetic", "latitude", "lat", "breite", "breitengrad"]),
-    ("longitude", &["longitude", "lon", "long", "lng", "länge", "laenge", "längengrad", "laengengrad"]),
+    ("latitude", &["latitudegeodetic", "latitude", "lat", "latd", "latdd", "breite", "breitengrad"]),
+    (
+        "longitude",
+        &[
+            "longitude",
+            "lon",
+            "long",
+            "lng",
+            "lond",
+            "londd",
+            "longd",
+            "länge",
+            "laenge",
+            "längengrad",
+            "laengengrad",
+        ],
+    ),
     (
         "height",
         &[
@@ -208,8 +223,9 @@ pub fn guess(name: &str) -> Option<Guess> {
             let dimension = QUANTITIES[quantity].dimension;
             // vel_e_ms is one in m/s.
             let unit = if unit == "ms" && dimension == Dimension::Speed { "m/s" } else { unit };
-            // A heading (M) is magnetic.
-            let is_magnetic = dimension == Dimension::Angle && unit == "m";
+            // A heading (M) is magnetic, a LatM has minutes.
+            let is_place = [LATITUDE, LONGITUDE].contains(&quantity);
+            let is_magnetic = dimension == Dimension::Angle && unit == "m" && !is_place;
             let is_of_it = unit_of(dimension, unit).is_some();
             if !is_of_it && !is_magnetic && dimension != Dimension::Temperature {
                 return None;
@@ -289,6 +305,8 @@ mod tests {
             "Roll (deg/s)",
             "Lat (g)",
             "lat sec",
+            "LatM",
+            "lon_m",
             // No height above the ellipsoid or the sea.
             "Altitude (ft AGL)",
             "Speed (kt IAS)",

@@ -15,8 +15,8 @@ use crate::base::text::excerpt;
 const PARTS: [(&str, usize, &str); 2] = [("latitude", LATITUDE, "lat"), ("longitude", LONGITUDE, "lon")];
 
 /// Words of the names of columns with the minutes, and with the seconds, of an angle.
-const MINUTES: [&str; 5] = ["min", "mins", "minute", "minutes", "arcmin"];
-const SECONDS: [&str; 6] = ["sec", "secs", "second", "seconds", "arcsec", "s"];
+const MINUTES: [&str; 7] = ["min", "mins", "minute", "minutes", "arcmin", "m", "mm"];
+const SECONDS: [&str; 7] = ["sec", "secs", "second", "seconds", "arcsec", "s", "ss"];
 
 impl Draft<'_> {
     /// The column with the letters of the hemisphere of a quantity in column `place`, if its numbers have not their signs anyway.
@@ -308,6 +308,9 @@ mod tests {
                 ("lat,minutes,lon,min", 2, false),
                 ("Lat (deg),LatMin,Lon (deg),LonMin", 2, false),
                 ("lat_deg,lat_min,lat_sec,lon_deg,lon_min,lon_sec", 3, false),
+                ("LatD,LatM,LatS,LonD,LonM,LonS", 3, false),
+                ("lat_dd,lat_mm,lat_ss,lon_dd,lon_mm,lon_ss", 3, false),
+                ("LatD,LatM,LatS,NS,LonD,LonM,LonS,EW", 3, true),
                 ("lat_deg,lat_min,lat_sec,N/S,lon_deg,lon_min,lon_sec,E/W", 3, true),
             ] {
                 let apart = |degrees: f64, sides: [&str; 2]| {
