@@ -15,6 +15,7 @@ import onavdata
 import pandas as pd
 
 PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
+DOCS = Path(__file__).resolve().parent.parent / "docs"
 DRIVE = "2021-04-27 HGuide n380 Car Hill Driving"
 # Three flights of unmanned aircraft, and the cut-off that smoothing of their fixes of 1 Hz leaves [Hz].
 UAVS = {"thor60": "2012 UMN-UAV THOR60", "thor75": "2012 UMN-UAV THOR75", "thor77": "2012 UMN-UAV THOR77"}
@@ -72,13 +73,20 @@ def drive():
     mapping = (FOLDER / "drive.toml").read_text()
     (FOLDER / "aligned.toml").write_text(mapping.replace("[log]\n", f"[log]\nskip = {ALIGNED}\n"))
     forces()
-    found = json.loads(
-        sins(
-            *("identify", "drive.csv", "--columns", "aligned.toml", "--imu", "drive.csv", "--prior", "tactical"),
-            *("--check", "--truth-sigma", "velocity_m_s=0.03,tilt_arcmin=1.5,heading_arcmin=10"),
-            *("-o", "sensor.toml", "--force", "--json"),
-        )
+    order = (
+        *("identify", "drive.csv", "--columns", "aligned.toml", "--imu", "drive.csv", "--prior", "tactical"),
+        *("--check", "--truth-sigma", "velocity_m_s=0.03,tilt_arcmin=1.5,heading_arcmin=10"),
+        *("-o", "sensor.toml", "--picture", "drift.svg", "--force"),
     )
+    found = json.loads(sins(*order, "--json"))
+    # The drifts and their picture are those that the documents show.
+    table = sins(*order).partition("  after  flights")[2].partition("\n\n")[0].splitlines()[1:]
+    for row in table:
+        contains("docs/trust.md", (DOCS / "trust.md").read_text(), row.strip())
+    if len(table) != len(found["check"]["spans"]):
+        WRONG.append(f"{len(table)} rows of drifts")
+    if (FOLDER / "drift.svg").read_text() != (DOCS / "drift.svg").read_text():
+        WRONG.append(f"docs/drift.svg is not {FOLDER / 'drift.svg'}")
     within("clock [ms]", 1e3 * found["clock_shift_s"]["value"], -0.05, 0.05)
     for axis, (bias, walk) in BIASES_DEG_H.items():
         value = found["gyro"][f"bias {axis}"]["value"]

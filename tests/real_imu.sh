@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A real INS: the drive of an HGuide n380 and three flights of an unmanned aircraft, which the package onavdata of PyPI has. `sins` finds
 # their columns, judges, flies and smooths them, identifies their sensors, and predicts how far those of the n380 drift. Nothing of the data is
-# stored in this repository, because their licence is not stated.
+# stored in this repository, because their licence is not stated. docs/drift.svg is target/real_imu/drift.svg.
 #
 #     tests/real_imu.sh
 #

@@ -45,6 +45,9 @@ pub struct Order {
     /// Also draws what was found as a page: parameters on their priors, what the record has beside them, drifts of --check
     #[arg(long, value_name = "PAGE.html")]
     pub page: Option<PathBuf>,
+    /// Also draws the drifts of --check into this file
+    #[arg(long, value_name = "FILE.svg", requires = "check")]
+    pub picture: Option<PathBuf>,
     /// What is known of the sensors: strategic, navigation, tactical, industrial or consumer
     ///
     /// The default is consumer, the widest. A prior that is too narrow moves the estimates.

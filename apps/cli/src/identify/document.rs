@@ -1,7 +1,7 @@
 //! The page: the drift of the record beside that of its twins, the parameters on their priors, what the record has beside them, its Allan
 //! deviation, and all figures.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 use sins::analysis::identify::Identified;
 use sins::analysis::identify::check::{Check, CheckRequest};
 use sins::analysis::identify::sheet::{Line, Sheet, sheets};
@@ -13,6 +13,7 @@ use super::{check, diagram, table};
 use crate::allan::deviations;
 use crate::drawing::document as page;
 use crate::drawing::figure::Figure;
+use crate::drawing::file::{LEGEND, MARGIN, file, legend_row, placed};
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::units::{significant, time_text};
@@ -104,6 +105,20 @@ fn drift(check: &Check, request: &CheckRequest) -> Result<Figure, Failure> {
     );
     let legend = diagram::legend_of_drifts();
     Figure::new("Does the record keep the prediction?", " by duration", legend, &diagram::drifts(check), note)
+}
+
+/// The drifts of a check as an SVG file.
+pub fn picture(check: &Check) -> Result<String, Failure> {
+    let drawing = diagram::drifts(check);
+    let svg = drawing.svg("Distances that half of the flights keep, recorded and predicted, by duration")?;
+    let mut first = diagram::legend_of_drifts();
+    let second = first.split_off(2);
+    let content = html! {
+        (legend_row(&first, 0.0))
+        (legend_row(&second, LEGEND))
+        (placed(MARGIN, 2.0 * LEGEND, drawing.width, drawing.height(), &PreEscaped(svg)))
+    };
+    Ok(file(drawing.width + 2.0 * MARGIN, 2.0 * LEGEND + drawing.height() + MARGIN, &content))
 }
 
 /// What the motion does not show of a triad.

@@ -26,6 +26,7 @@ use sins::truth::FlightSample;
 use sins::units::{DEG, STANDARD_GRAVITY as G};
 
 use crate::drawing::document::PAGE_MARK;
+use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
 use crate::given::{Given, of_sample};
 use crate::output::Outputs;
@@ -51,6 +52,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let mut outputs = Outputs::new(&inputs, order.force);
     let file = outputs.file(&output, MARK)?;
     let page = order.page.as_ref().map(|page| outputs.file(page, PAGE_MARK)).transpose()?;
+    let picture = order.picture.as_ref().map(|picture| outputs.file(picture, PICTURE_MARK)).transpose()?;
     let record = SensorRecord::read(order, &given.scene)?;
     let residual_on = |path: &IdealPath, found: &Identified| Residual::new(path, &record, found);
     let (found, checked, residual) = match &of_check {
@@ -69,6 +71,9 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         }
     };
     file.finish(scene::text(order, &given, &record, &found)?)?;
+    if let (Some(picture), Some(checked)) = (picture, &checked) {
+        picture.finish(document::picture(checked)?)?;
+    }
     if let (Some(page), Some(residual)) = (page, residual) {
         let checked = checked.as_ref().zip(of_check.as_ref());
         let shown = Shown { given: &given, record: &record, found: &found, checked, residual };
@@ -90,7 +95,10 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             format!("`sins ensemble {} --log LOG.csv` flies these sensors on another path", quoted(&output))
         }
     };
-    let paths: Vec<&Path> = [Some(output.as_path()), order.page.as_deref()].into_iter().flatten().collect();
+    let paths: Vec<&Path> = [Some(output.as_path()), order.page.as_deref(), order.picture.as_deref()]
+        .into_iter()
+        .flatten()
+        .collect();
     print(&written::text(&paths, Some(&next)))
 }
 

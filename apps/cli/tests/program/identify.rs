@@ -266,7 +266,12 @@ fn the_rest_of_a_record_is_checked() {
     );
 
     // The same as a page: its sentence and its tables have the figures of the table for the terminal.
-    let said = done(&folder, &of("imu.csv", &["--check", "--twins", "40", "--page", "page.html"]));
+    let said = done(
+        &folder,
+        &of("imu.csv", &["--check", "--twins", "40", "--page", "page.html", "--picture", "drift.svg"]),
+    );
+    let picture = read(folder.join("drift.svg"));
+    assert!(picture.starts_with("<svg xmlns=") && picture.contains("95 % of the twins"), "{picture}");
     assert!(
         said.ends_with("next: open page.html in a browser\n") && said.contains("\n  page.html "),
         "{said}"
