@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::blocks::{Block, Coarseness, End};
 use super::crab::Crab;
-use super::finding::{Clue, Level};
+use super::finding::{Clue, Level, RADIANS};
 use super::held::{Held, Stretches};
 use super::regression::Regression;
 use crate::base::math::{atan, atan2, hypot, sin_cos, wrap_angle};
@@ -41,7 +41,7 @@ const HEADINGS: [(&str, f64); 5] = [
     ("", 1.0),
     ("anticlockwise, or the opposite sign", -1.0),
     ("degrees taken for radians", DEG),
-    ("radians taken for degrees", 1.0 / DEG),
+    (RADIANS, 1.0 / DEG),
     ("radians taken for degrees, anticlockwise", -1.0 / DEG),
 ];
 
@@ -87,6 +87,10 @@ const TURNED: f64 = 90.0 * DEG;
 const DIFFER: f64 = 0.5;
 const EQUAL: f64 = 0.1;
 
+/// How many times the roll is the bank of a turn that is too slow for it, and least deviation of such a roll \[rad\].
+const TOO_FAR: f64 = 5.0;
+const ROLLS: f64 = 5.0 * DEG;
+
 /// Bank and roll of a vehicle that does not fly on its back \[rad\].
 const UPRIGHT: f64 = 75.0 * DEG;
 
@@ -109,6 +113,14 @@ impl Direction {
     fn length(&self) -> f64 {
         hypot(self.cosine, self.sine)
     }
+}
+
+/// What is wrong with a pitch that the angle of the path contradicts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum PitchFault {
+    Opposite,
+    Radians,
+    HeightInFeet,
 }
 
 /// Bank that the turn needs, and roll, between two blocks.
@@ -137,6 +149,8 @@ pub(super) struct Attitudes {
     differ2: [f64; 5],
     /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank, Σ roll².
     turns: [f64; 6],
+    /// Roll on the bank that the turn needs.
+    rolls: Regression,
     /// Pitch on the angle of the path, and that of the flight straight on.
     climb: Regression,
     straight_climb: Regression,
@@ -165,6 +179,7 @@ impl Attitudes {
             turned2: 0.0,
             differ2: [0.0; 5],
             turns: [0.0; 6],
+            rolls: Regression::NONE,
             climb: Regression::NONE,
             straight_climb: Regression::NONE,
             held: [Stretches::NONE; 2],
@@ -213,6 +228,9 @@ impl Attitudes {
             ]) {
                 *sum += term;
             }
+        }
+        if roll.abs().max(bank.abs()) < UPRIGHT {
+            self.rolls.add(bank, roll);
         }
         for (stretches, is_held, limit) in [
             (0, blocks.iter().all(|block| block.is_held), TURN_WHILE_HELD),
@@ -386,7 +404,7 @@ impl Attitudes {
         let clue = match (of_pitch / bank2).abs() {
             0.6..1.6 if slope.abs() < 0.4 && !is_sideways => Clue::Known("roll and pitch are exchanged"),
             _ if IN_RADIANS.contains(&slope) && mixed * mixed > BANKS * BANKS * bank2 * roll2 => {
-                Clue::Known("radians taken for degrees")
+                Clue::Known(RADIANS)
             }
             _ if is_opposite && !is_sideways => Clue::Known("opposite sign"),
             _ => Clue::None,
@@ -394,11 +412,22 @@ impl Attitudes {
         (clue != Clue::None || !(0.1..=5.0).contains(&slope)).then_some((slope, clue))
     }
 
-    /// Slope of the pitch on the angle of the path, if the path varies: if the sign of pitch is wrong, or the height is in feet (true).
-    pub fn pitch(&self) -> Option<(f64, bool)> {
+    /// How many times the roll is the bank of the turns, if they follow each other and it is many times: time or way is in another unit.
+    pub fn rolls_too_far(&self) -> Option<f64> {
+        let (deviation, slope, correlation) = self.rolls.figures();
+        let rolls = self.rolls.count >= LEAST && slope * deviation > ROLLS;
+        (rolls && correlation > BANKS && slope > TOO_FAR).then_some(slope)
+    }
+
+    /// Slope of the pitch on the angle of the path, if the path varies, and what is wrong.
+    pub fn pitch(&self) -> Option<(f64, PitchFault)> {
         let (deviation, slope, correlation) = self.climb.figures();
-        if self.climb.count >= LEAST && deviation > 2.0 * DEG && slope < -0.3 && correlation < -0.5 {
-            return Some((slope, false));
+        let varies = self.climb.count >= LEAST && deviation > 2.0 * DEG;
+        if varies && slope < -0.3 && correlation < -0.5 {
+            return Some((slope, PitchFault::Opposite));
+        }
+        if varies && IN_RADIANS.contains(&slope) && correlation > 0.8 {
+            return Some((slope, PitchFault::Radians));
         }
         // In thermals the nose of a glider follows a third of the climb.
         let (deviation, slope, correlation) = self.straight_climb.figures();
@@ -406,7 +435,7 @@ impl Attitudes {
             && deviation > 2.0 * DEG
             && correlation > 0.8
             && (0.2..0.4).contains(&slope);
-        in_feet.then_some((slope, true))
+        in_feet.then_some((slope, PitchFault::HeightInFeet))
     }
 
     /// Mean of pitch less angle of the path [rad], if it is below -1° and the path does not vary.

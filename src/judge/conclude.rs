@@ -1,7 +1,8 @@
 //! The findings that follow from the statistics.
 
+use super::attitude::PitchFault;
 use super::blocks::Level as BlockLevel;
-use super::finding::{Clue, Finding, Kind, Level};
+use super::finding::{Clue, Finding, Kind, Level, RADIANS};
 use super::velocity::Wrong;
 use super::{Judge, MAX_FINDINGS};
 use crate::base::math::hypot;
@@ -359,14 +360,26 @@ impl Judge {
             Some((slope, clue @ Clue::Known(_))) => {
                 found.add(Finding { clue, ..Finding::new(Kind::RollSign, Level::Unusable, slope) });
             }
-            Some((slope, _)) => found.add(Finding::new(Kind::RollUnexplained, Level::Note, slope)),
-            None => {}
+            other => {
+                if let Some(slope) = attitudes.rolls_too_far() {
+                    let clue = Clue::Known("the time or the way is in another unit");
+                    found
+                        .add(Finding { clue, ..Finding::new(Kind::RollUnexplained, Level::Doubtful, slope) });
+                } else if let Some((slope, _)) = other {
+                    found.add(Finding::new(Kind::RollUnexplained, Level::Note, slope));
+                }
+            }
         }
         match attitudes.pitch() {
             // With velocities the climb itself shows its unit.
-            Some((_, true)) if self.has_velocity() => {}
-            Some((slope, true)) => found.add(Finding::new(Kind::HeightUnit, Level::Doubtful, slope)),
-            Some((slope, false)) => found.add(Finding::new(Kind::PitchSign, Level::Unusable, slope)),
+            Some((_, PitchFault::HeightInFeet)) if self.has_velocity() => {}
+            Some((slope, PitchFault::HeightInFeet)) => {
+                found.add(Finding::new(Kind::HeightUnit, Level::Doubtful, slope));
+            }
+            Some((slope, fault)) => {
+                let clue = if fault == PitchFault::Radians { Clue::Known(RADIANS) } else { Clue::None };
+                found.add(Finding { clue, ..Finding::new(Kind::PitchSign, Level::Unusable, slope) });
+            }
             None => {
                 if let Some(angle) = attitudes.negative_attack() {
                     found.add(Finding::new(Kind::AttackNegative, Level::Note, angle));

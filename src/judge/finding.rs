@@ -67,7 +67,7 @@ pub enum Kind {
     RollSign = 19,
     /// Roll that the turns do not explain; figure: its slope on the bank that the turns need [1].
     RollUnexplained = 20,
-    /// Pitch with the wrong sign; figure: its slope on the angle of the path [1].
+    /// Pitch with the wrong sign, or in radians; figure: its slope on the angle of the path [1].
     PitchSign = 21,
     /// A nose that points below the path; figure: mean of pitch less angle of the path [rad].
     AttackNegative = 22,
@@ -88,6 +88,9 @@ pub enum Kind {
     /// Level flight above the air: height in a smaller unit than metres; figure: the height [m].
     HeightAboveAir = 30,
 }
+
+/// What an angle is that is too small by 57.3.
+pub(super) const RADIANS: &str = "radians taken for degrees";
 
 /// What explains a finding.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -322,6 +325,7 @@ impl Finding {
             }
             Kind::HeadingOffTrack => "if it is a magnetic heading, add the variation",
             Kind::AngleThroughWrap => "unwrap the angle before interpolating it, or a smaller step",
+            Kind::RollUnexplained if self.clue != Clue::None => "state the units of time and position",
             Kind::RollUnexplained => {
                 "right for a vehicle on wheels or in a hover, else check unit and sign of roll"
             }

@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Write};
 
-use super::finding::{Clue, Finding, Kind};
+use super::finding::{Clue, Finding, Kind, RADIANS};
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -119,8 +119,15 @@ impl fmt::Display for Finding {
                 f,
                 "roll has the opposite sign of the turns (slope {figure}): positive is right wing down"
             ),
-            (Kind::RollSign, Clue::Known("radians taken for degrees")) => {
-                write!(f, "roll is {figure} of the bank of the turns (radians taken for degrees?)")
+            (Kind::RollSign, Clue::Known(RADIANS)) => {
+                write!(f, "roll is {figure} of the bank of the turns ({RADIANS}?)")
+            }
+            (Kind::PitchSign, Clue::Known(RADIANS)) => {
+                write!(f, "pitch is {figure} of the angle of the path ({RADIANS}?)")
+            }
+            (Kind::RollUnexplained, clue @ Clue::Known(_)) => {
+                write!(f, "roll is {figure} times the bank of the turns")?;
+                known(f, &clue)
             }
             (Kind::RollSign, clue) => {
                 write!(f, "roll does not explain the turns (slope {figure}), and pitch does")?;

@@ -87,7 +87,7 @@ fn digits(text: &str, is_last: bool) -> Option<f64> {
     (begins && text.chars().all(is_valid)).then(|| text.parse().ok()).flatten()
 }
 
-/// Seconds of hh:mm:ss, hh:mm or hhmmss; with AM or PM behind it 12 hours are counted twice.
+/// Seconds of hh:mm:ss, hh:mm, hhmmss or hhmmssmmm; with AM or PM behind it 12 hours are counted twice.
 fn time_of_day(text: &str) -> Option<f64> {
     let letters = text.len().checked_sub(2).and_then(|at| text.split_at_checked(at));
     let half = letters.filter(|(_, half)| ["am", "pm"].contains(&half.to_ascii_lowercase().as_str()));
@@ -100,6 +100,11 @@ fn time_of_day(text: &str) -> Option<f64> {
         [whole] if whole.is_ascii() => match whole.find('.').unwrap_or(whole.len()) {
             // A number has no zeros before it.
             hours @ (5 | 6) => vec![&whole[..hours - 4], &whole[hours - 4..hours - 2], &whole[hours - 2..]],
+            // Milliseconds without a point.
+            count @ (8 | 9) if count == whole.len() => {
+                let (seconds, milliseconds) = whole.split_at(count - 3);
+                return Some(time_of_day(seconds)? + 1e-3 * digits(milliseconds, false)?);
+            }
             _ => return None,
         },
         [_] => return None,
@@ -134,15 +139,25 @@ fn without_zone(text: &str) -> &str {
 
 /// Day, and the seconds since its midnight, in UTC if an offset is given.
 fn date_and_time(text: &str, format: TimeFormat) -> Option<(i64, f64)> {
-    let (date, time) = text.split_once(['T', ' '])?;
-    let [first, second, third] = date.split(['-', '/', '.']).collect::<Vec<_>>()[..] else { return None };
+    let count = text.find(|letter: char| !letter.is_ascii_digit()).unwrap_or(text.len());
+    // A date without marks, and a date and a time that are one number, whose century may be missing.
+    let (date, time) = match (format, count) {
+        (TimeFormat::Iso, 12 | 14) => text.split_at_checked(count - 6)?,
+        _ => text.split_once(['T', ' '])?,
+    };
+    let [first, second, third] = match (format, date.len()) {
+        (TimeFormat::Iso, 8) if count >= 8 => [&date[..4], &date[4..6], &date[6..]],
+        (TimeFormat::Iso, 6) if count == 12 => [&date[..2], &date[2..4], &date[4..]],
+        _ => date.split(['-', '/', '.']).collect::<Vec<_>>().try_into().ok()?,
+    };
     let [year, month, day] = match format {
         TimeFormat::Dmy => [third, second, first],
         TimeFormat::Mdy => [third, first, second],
-        _ if first.len() != 4 => return None,
+        _ if first.len() != 4 && count != 12 => return None,
         _ => [first, second, third],
     };
     let [year, month, day] = [digits(year, false)?, digits(month, false)?, digits(day, false)?];
+    let year = if count == 12 { 2000.0 + year } else { year };
     if !(1.0..=9999.0).contains(&year) || !(1.0..=12.0).contains(&month) || !(1.0..=31.0).contains(&day) {
         return None;
     }

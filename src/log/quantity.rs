@@ -117,11 +117,14 @@ pub const GEOID: usize = 28;
 pub const DDMM: &str = "ddmm";
 
 /// The units, and their sizes in SI. The first of a dimension is that of a key of `[log]` that states none.
-const UNITS: [(&str, Dimension, f64); 45] = [
+const UNITS: [(&str, Dimension, f64); 48] = [
     ("s", Time, 1.0),
     ("ms", Time, 1e-3),
     ("us", Time, 1e-6),
     ("ns", Time, 1e-9),
+    ("min", Time, 60.0),
+    ("h", Time, 3600.0),
+    ("d", Time, 86400.0),
     ("deg", Angle, DEG),
     ("rad", Angle, 1.0),
     ("arcmin", Angle, DEG / 60.0),

@@ -255,7 +255,7 @@ fn is_of_fix(quantity: usize) -> bool {
 }
 
 /// What stands in a cell without a value.
-const NOTHING: [&str; 9] = ["", "nan", "-nan", "na", "n/a", "null", "none", "-", "--"];
+const NOTHING: [&str; 10] = ["", "nan", "-nan", "na", "n/a", "#n/a", "null", "none", "-", "--"];
 
 /// What to do about a comma in a number.
 const COMMA_HINT: &str =

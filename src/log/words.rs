@@ -18,6 +18,16 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("ns", "ns"),
     ("nsec", "ns"),
     ("nanoseconds", "ns"),
+    ("min", "min"),
+    ("mins", "min"),
+    ("minute", "min"),
+    ("minutes", "min"),
+    ("hr", "h"),
+    ("hrs", "h"),
+    ("hour", "h"),
+    ("hours", "h"),
+    ("day", "d"),
+    ("days", "d"),
     ("deg", "deg"),
     ("degree", "deg"),
     ("degrees", "deg"),
@@ -46,6 +56,8 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("m sec", "m/s"),
     ("kt", "kt"),
     ("kts", "kt"),
+    ("kn", "kt"),
+    ("knot", "kt"),
     ("knots", "kt"),
     ("fps", "ft/s"),
     ("ft s", "ft/s"),
@@ -55,14 +67,17 @@ const SPELLINGS: &[(&str, &str)] = &[
     ("kmh", "km/h"),
     ("km h", "km/h"),
     ("kph", "km/h"),
-    ("c", ""),
+    ("c", "deg C"),
     ("wgs84", ""),
     ("wgs84 deg", "deg"),
     ("wgs84 ft", "ft"),
     ("wgs84 m", "m"),
-    ("deg c", ""),
-    ("degc", ""),
+    ("deg c", "deg C"),
+    ("degc", "deg C"),
 ];
+
+/// Spellings that are units only in brackets, or alone in a cell.
+const LETTERS: &[(&str, &str)] = &[("h", "h"), ("d", "d")];
 
 /// Words behind the unit of a height: what it is above.
 const ABOVE: [&str; 4] = ["msl", "amsl", "asl", "agl"];
@@ -81,7 +96,8 @@ pub fn unit_and_words(name: &str) -> (&'static str, Vec<String>) {
     let mut spelled = places.filter_map(|(begin, length)| {
         let begin = begin.filter(|begin| *begin > 0)?;
         let spelled = words[begin..begin + length].join(" ");
-        let (_, known) = SPELLINGS.iter().find(|(spelling, _)| *spelling == spelled)?;
+        let letters = if inside.is_some_and(|inside| begin >= inside) { LETTERS } else { &[] };
+        let (_, known) = SPELLINGS.iter().chain(letters).find(|(spelling, _)| *spelling == spelled)?;
         Some((begin..begin + length, *known))
     });
     let unit = spelled.next().map_or("", |(place, unit)| {
@@ -104,7 +120,7 @@ pub fn unit(cell: &str) -> Option<&'static str> {
     let words = words(cell);
     let of = |length: usize| {
         let spelled = words.get(..length)?.join(" ");
-        SPELLINGS.iter().find(|(spelling, _)| *spelling == spelled).map(|(_, unit)| *unit)
+        SPELLINGS.iter().chain(LETTERS).find(|(spelling, _)| *spelling == spelled).map(|(_, unit)| *unit)
     };
     // What a height is above may stand behind its unit.
     of(words.len()).or_else(|| of(1))

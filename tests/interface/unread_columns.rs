@@ -115,7 +115,7 @@ fn a_column_that_contradicts_what_flies_is_doubtful() {
     let cases: [(&str, Of, &str); 12] = [
         ("GndSpd (kt)", speed, "the speed that flies is 1.94 times that of it (is it in m/s?)"),
         ("groundspeed", |row| 0.4 * row[4].hypot(row[5]), "the speed that flies is 2.50 times that of it"),
-        ("course", |row| 360.0 - row[7], "off its course"),
+        ("course", |row| 360.0 - row[7], "turns the other way (has the longitude lost its sign?)"),
         ("TRK", |row| row[7] + 90.0, "the track is 90 deg off its course"),
         ("VSpd (ft/min)", |row| row[6], "the velocity up that flies is 197 times that of it (is it in m/s?)"),
         ("climb", |row| -row[6], "the velocity up that flies has the opposite sign"),
@@ -233,4 +233,36 @@ fn what_need_not_agree_is_no_contradiction() {
         format!("{:.1},{:.0}", row[0].sin().abs(), 40.0 * row[0] % 360.0)
     });
     assert!(!is_contradicted(&log), "{:?}", notes(&log));
+}
+
+/// A course or a heading that turns the other way tells that the path is mirrored, at any direction of the flight.
+#[test]
+fn a_mirrored_path_is_told_by_a_column_that_is_not_read() {
+    let rows = flight(60.0);
+    for name in ["bearing", "Course over ground", "heading"] {
+        for turned in [0.0, 50.0, 100.0, 200.0] {
+            let log = |mirror: fn(f64) -> f64| {
+                let text = "[flight]\nfile = \"a.csv\"\n[log]\ntime = \"T\"\nlatitude = \"La\"\nlongitude = \"Lo\"\nheight = \"Z\"\nattitude = \"coordinated\"\n";
+                let scene = Scene::parse(text.as_bytes()).unwrap();
+                let row = |row: &Row| {
+                    let [t, latitude, longitude, height, .., heading] = row;
+                    let (sine, cosine) = (turned * DEG).sin_cos();
+                    let [north, east] = [latitude - 47.0, (longitude - 8.0) * (47.0 * DEG).cos()];
+                    let [north, east] = [cosine * north - sine * east, sine * north + cosine * east];
+                    let place = [47.0 + north, 8.0 + east / (47.0 * DEG).cos()];
+                    let course = mirror((heading + turned).rem_euclid(360.0)).rem_euclid(360.0);
+                    format!("{t:.1},{:.9},{:.9},{height:.3},{course:.1}\n", place[0], place[1])
+                };
+                let table = format!("T,La,Lo,Z,{name}\n") + &rows.iter().map(row).collect::<String>();
+                scene.read_log(table.as_bytes()).unwrap()
+            };
+            for mirror in [|course: f64| -course, |course: f64| 180.0 - course, |course: f64| 90.0 - course] {
+                let log = log(mirror);
+                assert!(is_contradicted(&log), "{name} {turned}: {:?}", notes(&log));
+            }
+            assert!(
+                !is_contradicted(&log(|course| course)) && !is_contradicted(&log(|course| course + 12.0))
+            );
+        }
+    }
 }

@@ -15,12 +15,23 @@ const FIRST: usize = 20;
 /// Names of columns whose numbers of six digits are hours, minutes and seconds.
 const CLOCKS: [&str; 3] = ["utc", "gmt", "clock"];
 
+/// Sizes of numbers that may be times of the clock, the size of their last digit, and how they are read: hhmmss, hhmmssmmm, yymmddhhmmss,
+/// yyyymmddhhmmss.
+const PACKED: [(core::ops::Range<f64>, f64, TimeFormat); 4] = [
+    (0.0..24e4, 1.0, TimeFormat::Hms),
+    (1e7..24e7, 1e-3, TimeFormat::Hms),
+    (1e11..1e12, 1.0, TimeFormat::Iso),
+    (1e13..1e14, 1.0, TimeFormat::Iso),
+];
+
 /// The numbers hhmmss exceed seconds by this much more at the end of a minute, and at that of an hour.
 const JUMPS: [f64; 2] = [40.0, 4040.0];
 
 impl Draft<'_> {
     fn reads(&self, cell: &str, format: TimeFormat) -> bool {
-        let is_text = format == TimeFormat::Number || cell.contains(':');
+        // A time has colons, or as 20260314T094320 none.
+        let is_text =
+            format == TimeFormat::Number || cell.contains(':') || cell.as_bytes().get(8) == Some(&b'T');
         is_text && clock(format).next(&self.grid.separator.with_point(cell)).is_some()
     }
 
@@ -59,16 +70,30 @@ impl Draft<'_> {
         }
     }
 
-    /// Numbers, or hours, minutes and seconds as 091459.5: their last two pairs of digits are below 60, and they jump at the end of a
-    /// minute, or their name says so.
+    /// Numbers, or hours, minutes and seconds as 091459.5 or 091459500, also behind a date, as 20261128091459: their last two pairs of digits
+    /// are below 60, and they jump at the end of a minute, or their name says so.
     fn formats_of_numbers(&self, place: usize) -> Vec<TimeFormat> {
         let numbers = self.grid.numbers(place);
+        let first = numbers.first().copied().unwrap_or(-1.0);
+        let Some((_, size, clock)) = PACKED.into_iter().find(|(range, ..)| range.contains(&first)) else {
+            return vec![TimeFormat::Number];
+        };
+        let is_day = |number: &f64| {
+            let date = (number / 1e6).trunc();
+            let [month, day] = [(date / 100.0).trunc() % 100.0, date % 100.0];
+            (1.0..=12.0).contains(&month) && (1.0..=31.0).contains(&day)
+        };
+        // Numbers with a unit behind them are those of durations.
+        if clock == TimeFormat::Iso && !numbers.iter().all(is_day) {
+            return vec![TimeFormat::Number];
+        }
+        let of_day = |number: f64| if clock == TimeFormat::Iso { number % 1e6 } else { number * size };
+        let numbers: Vec<f64> = numbers.into_iter().map(of_day).collect();
         let is_face = |number: &f64| {
             let [hours, minutes] = [(number / 1e4).trunc(), (number / 100.0).trunc() % 100.0];
             (0.0..24.0).contains(&hours) && minutes < 60.0 && number % 100.0 < 60.0
         };
-        // Numbers with a unit behind them are those of durations.
-        if numbers.is_empty() || !numbers.iter().all(is_face) {
+        if !numbers.iter().all(is_face) {
             return vec![TimeFormat::Number];
         }
         let steps = || numbers.windows(2).map(|two| two[1] - two[0]);
@@ -81,11 +106,11 @@ impl Draft<'_> {
         // The first zero may be lost, and those of the first minutes of a day say nothing.
         let has_hours = numbers.iter().all(|number| *number >= 1e4);
         if usual < JUMPS[0] && edges.clone().any(jumps) || is_named && has_hours {
-            return vec![TimeFormat::Hms];
+            return vec![clock];
         }
         let is_regular = edges.clone().next().is_some() && edges.all(|two| is_excess(two[1] - two[0], 0.0));
         if has_hours && !is_regular {
-            return vec![TimeFormat::Number, TimeFormat::Hms];
+            return vec![TimeFormat::Number, clock];
         }
         vec![TimeFormat::Number]
     }

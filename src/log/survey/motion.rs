@@ -125,6 +125,12 @@ impl Motion {
         Self::new(rows, is_timed, speed_units)
     }
 
+    /// The same with other courses \[rad\].
+    pub fn turned(mut self, by: f64) -> Self {
+        self.rows.iter_mut().for_each(|row| row.course += by);
+        self
+    }
+
     /// The place of a row; `None`: it is none on the Earth.
     fn place(&self, row: &Row, reading: &Reading, is_exchanged: bool) -> Option<[f64; 2]> {
         let (latitude, longitude) =

@@ -57,6 +57,72 @@ fn hours_minutes_and_seconds_without_colons_are_no_seconds() {
     }
 }
 
+/// Dates and times of the clock that are one number, and milliseconds without a point.
+#[test]
+fn clocks_that_are_one_number_are_read() {
+    let rows = flight(47.3, 8.4);
+    let milliseconds =
+        |second: f64| format!("{:09.0}", (face(second).parse::<f64>().unwrap() * 1000.0).round());
+    for (name, cell) in [
+        ("timestamp", &(|t: f64| format!("20260314{}", face(33_294.0 + t))) as &dyn Fn(f64) -> String),
+        ("time", &|t| format!("260314{}", face(33_294.0 + t))),
+        ("utc", &|t| format!("20260314T{}Z", face(33_294.0 + t))),
+        ("time", &|t| milliseconds(33_294.0 + t)),
+        ("time", &|t| milliseconds(43_190.0 + t)),
+        ("time", &|t| milliseconds(33_294.0 + t).trim_start_matches('0').to_owned()),
+    ] {
+        let text =
+            table(&format!("{name},lat,lon,alt"), &rows, |_, row| format!("{},{}", cell(row[0]), place(row)));
+        let (found, samples) = look(&text);
+        let (distance, late) = errors(&samples.unwrap_or_else(|error| panic!("{error:?} {found:?}")), &rows);
+        assert!(distance < 0.01 && late < 1e-6, "{}: {distance} m, {late} s: {found:?}", cell(0.0));
+    }
+    // Counters in nanoseconds and milliseconds have other digits.
+    for (size, begin) in [(1e9, 2.1e13), (1e3, 1.2003e8), (1e6, 3.1e11)] {
+        let text =
+            table("time,lat,lon,alt", &rows, |_, row| format!("{:.0},{}", begin + size * row[0], place(row)));
+        let (found, samples) = look(&text);
+        assert!(errors(&samples.unwrap(), &rows).1 < 1e-6, "{size}: {found:?}");
+    }
+}
+
+/// Minutes, hours, and days, as of a spreadsheet: with a unit, by the speed, or asked about.
+#[test]
+fn minutes_hours_and_days_are_no_seconds() {
+    let rows = flight(47.3, 8.4);
+    for (unit, size, begin) in [("min", 60.0, 3.0), ("h", 3600.0, 9.5), ("d", 86400.0, 46_354.4)] {
+        let text = |names: &str, end: &str| {
+            table(names, &rows, |_, row| format!("{:.9},{}{end}", begin + row[0] / size, place(row)))
+        };
+        let found =
+            assert_asks(&text("time,lat,lon,alt", ""), &format!("unit = \"{unit}\" }}  # 5 Hz, 40.0 m/s"));
+        assert!(found.questions[0].sentence.contains("no usual unit"), "{found:?}");
+        for (names, end) in [
+            (format!("time [{unit}],lat,lon,alt"), ""),
+            ("time,lat,lon,alt,speed (m/s)".to_owned(), ",40"),
+            (format!("time,lat,lon,alt,roll,speed\n{unit},deg,deg,m,deg,m/s"), ",0,40"),
+        ] {
+            let (found, samples) = look(&text(&names, end));
+            let (distance, late) =
+                errors(&samples.unwrap_or_else(|error| panic!("{error:?} {found:?}")), &rows);
+            assert!(distance < 0.01 && late < 1e-3, "{names}: {distance} m, {late} s: {found:?}");
+        }
+    }
+}
+
+/// A temperature T is no time where another column is.
+#[test]
+fn a_temperature_is_no_time() {
+    let rows = flight(47.3, 8.4);
+    for name in ["T", "T (°C)", "t [degC]"] {
+        let text = table(&format!("{name},Timestamp,lat,lon,alt"), &rows, |index, row| {
+            format!("{:.2},{:.1},{}", 12.0 + 0.01 * index as f64, row[0], place(row))
+        });
+        let (found, samples) = look(&text);
+        assert!(errors(&samples.unwrap(), &rows).1 < 1e-6, "{name}: {found:?}");
+    }
+}
+
 #[test]
 fn a_stopwatch_is_told_from_hours_and_minutes_by_the_speed_or_asked_about() {
     let rows = flight(47.3, 8.4);

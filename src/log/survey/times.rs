@@ -17,12 +17,16 @@ const RATES: core::ops::RangeInclusive<f64> = 0.01..=2000.0;
 pub const MATCHES: core::ops::RangeInclusive<f64> = 0.1..=5.0;
 
 /// The units of times, with what a column says of them.
-const UNITS: [(&str, &str, f64); 5] = [
+const UNITS: [(&str, &str, f64); 9] = [
     ("s", "", 1.0),
     ("ms", ", unit = \"ms\"", 1e-3),
     ("us", ", unit = \"us\"", 1e-6),
     ("ns", ", unit = \"ns\"", 1e-9),
     ("0.1 ms", ", scale = 1e-4", 1e-4),
+    ("0.1 s", ", scale = 0.1", 0.1),
+    ("min", ", unit = \"min\"", 60.0),
+    ("h", ", unit = \"h\"", 3600.0),
+    ("d", ", unit = \"d\"", 86400.0),
 ];
 
 /// Largest number of columns that a question names.
@@ -103,7 +107,11 @@ impl Draft<'_> {
             if is_open {
                 self.doubt(format!("{name} is taken as {}: so it has the speed of the table", format.word()));
             } else if self.has_numbers(place) {
-                self.doubt(format!("{name} is taken as hours, minutes and seconds, hhmmss"));
+                let what = match format {
+                    TimeFormat::Iso => "a date and a time that are one number",
+                    _ => "hours, minutes and seconds, hhmmss",
+                };
+                self.doubt(format!("{name} is taken as {what}"));
             }
             let is_read = |cell: &str, format| clock(format).next(&grid.separator.with_point(cell)).is_some();
             let is_sure = || {
@@ -181,6 +189,19 @@ impl Draft<'_> {
                 ));
             }
             return Some(part);
+        }
+        let is_vehicle = |si: f64| {
+            let speed = motion.as_ref().and_then(|motion| motion.speed(degrees, false, si));
+            speed.is_some_and(|speed| SPEEDS.contains(&speed))
+        };
+        // Minutes, hours and days have decimals.
+        let has_decimals = || self.grid.numbers(place).iter().any(|time| time.fract() != 0.0);
+        if has_decimals() && UNITS[4..].iter().any(|(.., si)| is_vehicle(*si)) {
+            self.open_time = Some((
+                place,
+                format!("{name} has no usual unit with which the positions are those of a vehicle"),
+            ));
+            return None;
         }
         let times = self.grid.numbers(place);
         let step =

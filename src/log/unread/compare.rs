@@ -33,6 +33,13 @@ const SLOW_M_S: f64 = 0.5;
 /// Largest angle to the course of a column whose name does not say that it has one.
 const COURSE_AGREES_DEG: f64 = 5.0;
 
+/// Angles whose sum with a course is the one of a mirrored path \[deg\], and what mirrors it.
+const MIRRORS: [(f64, &str); 3] = [
+    (0.0, "has the longitude lost its sign?"),
+    (180.0, "has the latitude lost its sign?"),
+    (90.0, "are latitude and longitude exchanged?"),
+];
+
 /// Smallest angle of a course or a heading that contradicts: one may be magnetic, and a vehicle drifts.
 const CONTRADICTS_DEG: f64 = 60.0;
 
@@ -199,9 +206,32 @@ impl Compared<'_> {
         match self.course_deg() {
             None => Said::Nothing,
             Some(course_deg) if course_deg < COURSE_FITS_DEG => Said::Agrees("course".to_owned()),
+            Some(_) if self.mirrored().is_some() => self.against(),
             Some(course_deg) if course_deg < CONTRADICTS_DEG || !self.is_dense() => Said::Unlike,
             Some(course_deg) => Said::Contradicts(format!("the track is {course_deg:.0} deg off its course")),
         }
+    }
+
+    /// What mirrors a path that turns where the column turns the other way.
+    fn mirrored(&self) -> Option<&'static str> {
+        let is_told =
+            self.is_dense() && self.speed_ratio().is_some() && self.motion(1.0, DEG).turns(&READINGS[0]);
+        let is_it = |(add, _): &(f64, &str)| {
+            let fits = |size: f64| {
+                let motion = self.motion(1.0, -size).turned(add * DEG);
+                motion
+                    .fit(&READINGS[0], false, 1.0)
+                    .course_deg
+                    .is_some_and(|off_deg| off_deg < COURSE_FITS_DEG)
+            };
+            self.angles().into_iter().any(fits)
+        };
+        MIRRORS.iter().find(|mirror| is_told && is_it(mirror)).map(|(_, why)| *why)
+    }
+
+    fn against(&self) -> Said {
+        let why = self.mirrored().unwrap_or_default();
+        Said::Contradicts(format!("the track turns the other way ({why})"))
     }
 
     /// The median angle between the heading that flies and the column [deg], in that of its units that fits best.
@@ -218,6 +248,7 @@ impl Compared<'_> {
         let heading_deg = self.heading_deg();
         match heading_deg {
             _ if heading_deg < COURSE_FITS_DEG => Said::Agrees("heading".to_owned()),
+            _ if !has_attitude && self.mirrored().is_some() => self.against(),
             // A heading that was assumed proves nothing.
             _ if !has_attitude || heading_deg < CONTRADICTS_DEG => Said::Unlike,
             _ => Said::Contradicts(format!("the heading that flies is {heading_deg:.0} deg off")),

@@ -35,7 +35,7 @@ enum Like {
 
 const LIKE: [(Like, &[&str]); 3] = [
     (Like::Speed, &["vel", "speed", "spd", "geschw", "climb", "vario", "steig"]),
-    (Like::Direction, &["course", "track", "kurs", "cog", "heading", "hdg", "yaw"]),
+    (Like::Direction, &["course", "track", "kurs", "cog", "bearing", "heading", "hdg", "yaw"]),
     (Like::Height, &["alt", "height", "elevation", "hgt", "höhe", "hoehe"]),
 ];
 

@@ -483,6 +483,24 @@ fn a_roll_in_radians_is_found() {
     assert_eq!(unseen, NONE);
 }
 
+/// Times that count tenths of a second: the roll is a hundred times that of the turns.
+#[test]
+fn times_in_another_unit_are_found_by_the_roll() {
+    let slow =
+        |samples: &[FlightSample]| each(&without_velocities(samples), |_, sample| sample.time_s *= 10.0);
+    let mut unseen = missed(&[Kind::RollUnexplained], Level::Doubtful, 10.0, slow);
+    unseen.retain(|name| !name.contains("aerobatics"));
+    assert_eq!(unseen, NONE);
+}
+
+/// A pitch in radians beside a heading in degrees.
+#[test]
+fn a_pitch_in_radians_is_found() {
+    let radians = |samples: &[FlightSample]| each(samples, |_, sample| sample.euler.pitch *= DEG);
+    let unseen = missed(&[Kind::PitchSign], Level::Unusable, 10.0, radians);
+    assert_eq!(unseen, ["racetrack", "patrol", "airliner_cruise"]);
+}
+
 /// White noise of the attitude, with exact velocities: an INS with ideal sensors walks off.
 #[test]
 fn noise_of_the_attitude_is_found() {
