@@ -111,11 +111,12 @@ const NAMES: &[(&str, &[&str])] = &[
             "rolldeg",
             "rollangle",
             "bankangle",
+            "roulis",
             "querneigung",
             "querlage",
         ],
     ),
-    ("pitch", &["pitch", "nickwinkel", "theta", "pitchangle", "längsneigung", "laengsneigung"]),
+    ("pitch", &["pitch", "nickwinkel", "theta", "pitchangle", "längsneigung", "laengsneigung", "tangage"]),
     (
         "heading",
         &[
@@ -128,6 +129,11 @@ const NAMES: &[(&str, &[&str])] = &[
             "trueheading",
             "compassheading",
             "magneticheading",
+            "headingmagnetic",
+            "headingmag",
+            "azimuth",
+            "rumbo",
+            "cap",
             "steuerkurs",
         ],
     ),
@@ -231,7 +237,7 @@ const HEMISPHERES: [(usize, &[&str]); 2] = [
 const AFTER: [&str; 3] = ["indicator", "hemisphere", "ind"];
 
 /// Words before a quantity that do not change it.
-const BEFORE: [&str; 16] = [
+const BEFORE: [&str; 17] = [
     "gps",
     "gnss",
     "ins",
@@ -245,6 +251,7 @@ const BEFORE: [&str; 16] = [
     "angle",
     "plane",
     "imu",
+    "ahrs",
     "truth",
     "ref",
     "aircraft",

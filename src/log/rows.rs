@@ -11,13 +11,14 @@ use super::columns::{COUNT, Column, Columns, has, has_quaternion};
 use super::hemisphere::{sides, signed};
 use super::marks::DecimalMarks;
 use super::quantity::{
-    FORCE, FORWARD, GEOID, LATITUDE, Q0, RATE, ROLL, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY, name,
-    quantity_of,
+    FORCE, FORWARD, GEOID, HEADING, LATITUDE, Q0, RATE, ROLL, SPEED, TEMPERATURE, TRACK, VARIATION, VELOCITY,
+    name, quantity_of,
 };
 use super::{LogError, LogMapping, Separator, fault};
 use crate::base::error::{Error, check_range};
 use crate::base::math::{Euler, attitude_from_euler, euler_from_attitude, rotate, sin_cos};
 use crate::base::text::{Fault, excerpt};
+use crate::base::units::DEG;
 use crate::earth::Geodetic;
 use crate::truth::FlightSample;
 
@@ -48,6 +49,7 @@ impl Table<'_> {
         line: u64,
         last: Option<&FlightSample>,
     ) -> Result<Option<FlightSample>, LogError> {
+        let before = last.map(|last| last.euler);
         let last = last.filter(|_| self.mapping.smooths() && !self.mapping.is_coordinated);
         let mut has_fix = true;
         let mut values = [0.0; COUNT];
@@ -106,6 +108,7 @@ impl Table<'_> {
         }
         let is_on_earth = || check_range("sample.longitude_rad", sample.place.longitude_rad, -TAU, TAU);
         let checked = sample.validate().and_then(|()| if self.is_mapped { is_on_earth() } else { Ok(()) });
+        let checked = checked.and_then(|()| check_angles(&sample.euler, before.as_ref()));
         checked.map_err(|error| match (out_of_range(&error, line, &self.columns), cells) {
             // A record has no columns.
             (LogError::Fault(found), Cells::Numbers(_)) => LogError::Fault(Fault { column: 1, ..found }),
@@ -254,6 +257,10 @@ fn is_of_fix(quantity: usize) -> bool {
         || (SPEED..FORWARD).contains(&quantity)
 }
 
+/// Largest pitch, with its rounding, and largest roll and heading of the first row, which may have gone on beyond turns \[rad\].
+const STEEPEST: f64 = 90.5 * DEG;
+const BEGINS_AT_MOST: f64 = 10.0 * TAU;
+
 /// What stands in a cell without a value.
 const NOTHING: [&str; 10] = ["", "nan", "-nan", "na", "n/a", "#n/a", "null", "none", "-", "--"];
 
@@ -294,14 +301,32 @@ fn out_of_range(error: &Error, line: u64, columns: &Columns) -> LogError {
         return fault(line, 1, error.to_string());
     };
     let own = Error { field: name(quantity), index: None, ..*error };
-    let sentence = if column.name == name(quantity) {
+    let mut sentence = if column.name == name(quantity) {
         own.to_string()
     } else if column.offset == 0.0 && column.factor > 0.0 {
         own.in_unit(column.factor).sentence_about(&column.name)
     } else {
         own.sentence_about(&column.name)
     };
+    if (ROLL..=HEADING).contains(&quantity) {
+        sentence += "; a number that stands for a missing value is left out by log.missing";
+    }
     fault(line, column.place.map_or(1, |place| place + 1), sentence)
+}
+
+/// Checks that angles are those of an attitude: roll and heading may go on beyond a turn, and no row jumps by more than one.
+fn check_angles(now: &Euler, before: Option<&Euler>) -> Result<(), Error> {
+    check_range("sample.pitch_rad", now.pitch, -STEEPEST, STEEPEST)?;
+    for (field, of) in [
+        ("sample.roll_rad", (|euler| euler.roll) as fn(&Euler) -> f64),
+        ("sample.heading_rad", |euler| euler.heading),
+    ] {
+        let most = if before.is_some() { TAU } else { BEGINS_AT_MOST };
+        if (of(now) - before.map_or(0.0, of)).abs() > most {
+            check_range(field, of(now), -TAU, TAU)?;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -309,6 +334,34 @@ mod tests {
     use super::super::{FlightLog, LogError};
     use super::*;
     use crate::scene::Scene;
+
+    /// Numbers that stand for a missing angle, which would turn the vehicle; angles that go on beyond a turn are none.
+    #[test]
+    fn angles_that_are_none_are_refused_at_their_cell() {
+        let read = |missing: &str, cell: &dyn Fn(usize) -> [f64; 3]| {
+            let names = "time_s,latitude_deg,longitude_deg,height_m,roll_deg,pitch_deg,heading_deg\n";
+            let row = |k: usize| {
+                let [roll, pitch, heading] = cell(k);
+                format!("{k},47,8,0,{roll},{pitch},{heading}\n")
+            };
+            let table = names.to_owned() + &(0..40).map(row).collect::<String>();
+            let scene = format!("[flight]\nfile = \"a.csv\"\n[log]\n{missing}");
+            FlightLog::parse_with(table.as_bytes(), &Scene::parse(scene.as_bytes()).unwrap().log)
+        };
+        let turning = |k: usize| [400.0 + 90.0 * k as f64, 0.0, 720.0 - 200.0 * k as f64];
+        assert!(read("", &turning).is_ok());
+        for (column, mark) in [(5, -9999.0), (5, 999.9), (6, -9999.0), (6, 90.6), (7, 32767.0), (7, -999.0)] {
+            let cell =
+                |k: usize| core::array::from_fn(|of| if k == 20 && of + 5 == column { mark } else { 3.0 });
+            let Err(LogError::Fault(fault)) = read("", &cell) else { panic!("{mark} flies") };
+            assert!((fault.line, fault.column) == (22, column), "{fault:?}");
+            assert!(
+                fault.sentence.contains("must be from") && fault.sentence.contains("log.missing"),
+                "{fault:?}"
+            );
+            assert_eq!(read(&format!("missing = {mark}\n"), &cell).unwrap().samples().len(), 39);
+        }
+    }
 
     #[test]
     fn a_cell_has_parts() {

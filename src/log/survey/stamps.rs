@@ -110,6 +110,26 @@ fn minutes_hours_and_days_are_no_seconds() {
     }
 }
 
+/// A buoy drifts at 0.2 m/s in seconds, not at 200 m/s in milliseconds; where both may be, it is asked.
+#[test]
+fn slow_vehicles_are_no_fast_ones_in_milliseconds() {
+    let slow: Vec<Row> = flight(47.3, 8.4)
+        .iter()
+        .map(|row| [row[0] * 200.0, row[1], row[2], row[3], row[4] / 200.0, row[5]])
+        .collect();
+    let text =
+        |size: f64| table("time,lat,lon,alt", &slow, |_, row| format!("{:.3},{}", row[0] * size, place(row)));
+    assert_asks(&text(1.0), "time = { col = \"time\", unit = \"ms\" }  # 25 Hz, 200.0 m/s");
+    let often: Vec<Row> =
+        slow.iter().map(|row| [row[0] / 40.0, row[1], row[2], row[3], row[4], row[5]]).collect();
+    let near =
+        |row: &Row| format!("{:.9},{:.9},0", 47.3 + (row[1] - 47.3) / 40.0, 8.4 + (row[2] - 8.4) / 40.0);
+    let text = table("time,lat,lon,alt", &often, |_, row| format!("{:.0},{}", row[0], near(row)));
+    let (found, samples) = look(&text);
+    let samples = samples.unwrap_or_else(|error| panic!("{error:?} {found:?}"));
+    assert_eq!(samples[samples.len() - 1].time_s, 299.0, "{found:?}");
+}
+
 /// A temperature T is no time where another column is.
 #[test]
 fn a_temperature_is_no_time() {

@@ -13,6 +13,11 @@ use crate::truth::FlightSample;
 pub const SPEEDS: core::ops::RangeInclusive<f64> = 0.3..=1000.0;
 const RATES: core::ops::RangeInclusive<f64> = 0.01..=2000.0;
 
+/// Slowest speed of a drifting vehicle \[m/s\], the lowest rate of its log, and the rate from which few logs are \[Hz\].
+const SLOWEST: f64 = 0.02;
+const RARE_HZ: f64 = 0.02;
+const OFTEN_HZ: f64 = 400.0;
+
 /// Ratios of the speed of the positions to that of the table that another unit of the speed may have: another unit of the time has not.
 pub const MATCHES: core::ops::RangeInclusive<f64> = 0.1..=5.0;
 
@@ -169,6 +174,12 @@ impl Draft<'_> {
         }
         let degrees = &READINGS[0];
         let motion = motion.filter(|motion| motion.first_place(degrees, false).is_some());
+        // So slow are boats and balloons: smaller units make vehicles of them, at rates that hardly a log has.
+        let is_slow = motion.as_ref().is_some_and(|motion| {
+            let speed = motion.speed(degrees, false, 1.0).unwrap_or(0.0);
+            (SLOWEST..*SPEEDS.start()).contains(&speed)
+                && motion.rate_hz(1.0).is_some_and(|rate_hz| rate_hz > RARE_HZ)
+        });
         for (unit, part, si) in UNITS.into_iter().take(4) {
             let Some(motion) = &motion else { break };
             if !is_rate(motion, si) {
@@ -177,6 +188,16 @@ impl Draft<'_> {
             let Some(speed) = motion.speed(degrees, false, si).filter(|speed| SPEEDS.contains(speed)) else {
                 continue;
             };
+            if is_slow && unit != "s" {
+                if motion.rate_hz(si).is_some_and(|rate_hz| rate_hz < OFTEN_HZ) {
+                    self.open_time = Some((
+                        place,
+                        format!("{name} has several units with which the positions are those of a vehicle"),
+                    ));
+                    return None;
+                }
+                return Some("");
+            }
             let ratio = motion.fit(degrees, false, si).ratio;
             // A speed in another unit is not one of another time.
             if ratio.is_some_and(|ratio| !MATCHES.contains(&ratio)) {
@@ -189,6 +210,9 @@ impl Draft<'_> {
                 ));
             }
             return Some(part);
+        }
+        if is_slow {
+            return Some("");
         }
         let is_vehicle = |si: f64| {
             let speed = motion.as_ref().and_then(|motion| motion.speed(degrees, false, si));
