@@ -46,6 +46,7 @@ struct Unit {
     accel: TriadParameters,
     /// Signals of the block = `rotation` times those of the vehicle.
     rotation: Matrix3<f64>,
+    lever_b: Vector3<f64>,
     behind_s: f64,
     run: u64,
 }
@@ -57,6 +58,7 @@ impl Default for Unit {
             gyro: white(0.1 * DEG / 60.0),
             accel: white(100e-6 * G),
             rotation: Matrix3::identity(),
+            lever_b: Vector3::zeros(),
             behind_s: 0.0,
             run: 0,
         }
@@ -71,7 +73,9 @@ impl Unit {
         simulator.set_accel(&self.accel).unwrap();
         let from_block = Rotation3::from_matrix_unchecked(self.rotation.transpose());
         let boresight = euler_from_attitude(UnitQuaternion::from_rotation_matrix(&from_block).quaternion());
-        simulator.set_mounting(&MountingParameters { boresight, ..Default::default() }).unwrap();
+        simulator
+            .set_mounting(&MountingParameters { boresight, lever_arm_m: self.lever_b, ..Default::default() })
+            .unwrap();
         let mut record = Vec::new();
         for time_s in times(span_s) {
             simulator.push_sample(&flight.sample_at(time_s).unwrap()).unwrap();
@@ -179,6 +183,7 @@ fn intervals_hold_clocks_are_found_and_axes_are_told() {
         let exchange = draws.of(&exchanges);
         let phi = Vector3::from_fn(|_, _| 0.5 * DEG * normal(&mut draws));
         let unit = Unit {
+            lever_b: Vector3::zeros(),
             gyro: drawn(&mut draws, gyro_bias, gyro_scale_factor, gyro_misalignment, white.0),
             accel: drawn(&mut draws, accel_bias, accel_scale_factor, accel_misalignment, white.1),
             rotation: rotation_matrix(&rotation_quaternion(&phi)) * exchange,
@@ -355,6 +360,7 @@ fn a_clock_of_its_own_is_found() {
 fn the_residual_is_the_noise() {
     let mut draws = Draws::new(9);
     let unit = Unit {
+        lever_b: Vector3::zeros(),
         gyro: TriadParameters {
             flicker: Vector3::zeros(),
             rate_random_walk: Vector3::zeros(),

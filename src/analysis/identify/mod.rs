@@ -41,6 +41,7 @@
 //! number of rounds.
 
 mod axes;
+mod beyond;
 mod blocks;
 pub mod check;
 mod clock;
@@ -160,6 +161,8 @@ pub struct Identified {
     pub accel: TriadEstimate,
     /// Noise of the three gyros, then of the three accelerometers.
     pub noise: [SensorNoise; 6],
+    /// Mean g-sensitivity of the gyros \[rad/s per m/s²\], if they show one: the model has none, and takes it for misalignments.
+    pub g_sensitivity: Option<f64>,
     /// Number of blocks of the fit, and their length on average \[s\].
     pub blocks: usize,
     /// Length of a block on average \[s\].
@@ -207,6 +210,7 @@ impl Identified {
             gyro: triad(0),
             accel: triad(1),
             noise,
+            g_sensitivity: None,
             blocks,
             block_s: rows.blocks.iter().map(blocks::Block::length_s).sum::<f64>() / blocks as f64,
             root,

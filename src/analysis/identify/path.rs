@@ -1,13 +1,14 @@
 //! The true path as perfect sensors measure it: running integrals of angular rate and specific force.
 
-use nalgebra::SVector;
+use nalgebra::{SVector, Vector3};
 
 use super::blocks::LARGEST;
 use crate::analysis::recommend::{Refusal, fly_looking};
 use crate::base::error::{Error, ErrorKind, Rule, check_range};
-use crate::base::memory::room_for_more;
+use crate::base::memory::{room, room_for_more};
 use crate::mechanization::Frame;
 use crate::signal::Increment;
+use crate::signal::mounting::lever_arm_velocity;
 use crate::simulator::{Options, Simulator};
 use crate::truth::FlightSample;
 use core::ops::ControlFlow;
@@ -22,6 +23,10 @@ pub(super) fn six(increment: &Increment) -> Six {
 
 pub(super) fn six_increment(six: &Six) -> Increment {
     Increment { angle: six.fixed_rows::<3>(0).into_owned(), velocity: six.fixed_rows::<3>(3).into_owned() }
+}
+
+fn rates(six: &Six) -> Vector3<f64> {
+    six.fixed_rows::<3>(0).into_owned()
 }
 
 /// What perfect sensors measure along a path, body axes.
@@ -99,6 +104,27 @@ impl IdealPath {
     pub(super) fn make_room(&mut self) -> Result<(), Error> {
         room_for_more(&mut self.times_s, 2)?;
         room_for_more(&mut self.integrals, 2)
+    }
+
+    /// The path of sensors that are away from its point by a lever arm `lever_b` [m], body axes.
+    pub fn with_lever_arm(mut self, lever_b: &Vector3<f64>) -> Result<Self, Error> {
+        self.ends_s()?;
+        let rate_at = |time_s: f64| self.at(time_s).map_or(Vector3::zeros(), |(_, rate)| rates(&rate));
+        let mut integrals = room(self.integrals.len())?;
+        let mut moved = Vector3::zeros();
+        let mut last: Option<(f64, Six, Vector3<f64>)> = None;
+        for (&time_s, integral) in self.times_s.iter().zip(&self.integrals) {
+            let rate = rate_at(time_s);
+            if let Some((last_s, before, last_rate)) = last.replace((time_s, *integral, rate)) {
+                let dt = time_s - last_s;
+                let mean = rates(&(integral - before)) / dt;
+                moved += lever_arm_velocity(&(rate - last_rate), &mean, dt, lever_b);
+            }
+            let Increment { angle, velocity } = six_increment(integral);
+            integrals.push(six(&Increment { angle, velocity: velocity + moved }));
+        }
+        self.integrals = integrals;
+        Ok(self)
     }
 
     /// First and last time [s]; the path has two intervals or more.

@@ -3,6 +3,7 @@
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 use super::axes::{Axes, find};
+use super::beyond::check_beyond;
 use super::blocks::{Block, Blocks};
 use super::clock::{KNOWN_S, Search};
 use super::jump::{self, Jump};
@@ -68,12 +69,14 @@ pub(super) fn identify(
         }
     }
     check_spikes(&fitted)?;
+    let g_sensitivity = check_beyond(&fitted).map_err(cause)?;
     let (x, covariance) = &fitted.solution;
     let change = to_block_axes();
     let solution = (change * x, change * covariance * change.transpose());
     let noise = fitted.evidences.map(|one| one.noise);
     let for_twins = (change * root(covariance, &fitted.prior)?, walks(&fitted)?);
     let found = Identified::new(request, &solution, for_twins, noise, &fitted.about, start.1, &fitted.rows);
+    let found = Identified { g_sensitivity, ..found };
     check_priors(&found).map_err(cause)?;
     Ok(found)
 }

@@ -229,3 +229,39 @@ fn a_smoothed_path_is_compared_below_its_cutoff() {
         assert!(error.starts_with(named), "{error}");
     }
 }
+
+/// What the model has not, and would take for misalignments: late accelerometers, and those of another place, are named with their size;
+/// gyros that sense forces are told. Along the path of their place the sensors are found.
+#[test]
+fn what_is_beyond_the_model_is_named() {
+    let aerobatics = flight("aerobatics");
+    let (from_s, to_s) = (MINUTES.0 + 1.0, MINUTES.1);
+    let along = path(&aerobatics, (from_s, to_s));
+    let refused = |record: &[RecordedIncrement]| {
+        let error = identify(&along, record, &Request::default()).unwrap_err();
+        (error.field, error.value.unwrap().as_f64(), error.to_string())
+    };
+    let record = Unit::default().record(&aerobatics, (from_s, to_s));
+    let of_gyros = identify(&along, &record, &Request::default()).unwrap();
+    assert_eq!(of_gyros.g_sensitivity, None);
+    for late_s in [0.004, -0.004] {
+        let mut record = record.clone();
+        let early = Unit::default().record(&aerobatics, (from_s - late_s, to_s - late_s));
+        for (row, before) in record.iter_mut().zip(&early) {
+            row.increment.velocity = before.increment.velocity;
+        }
+        let (field, found_s, said) = refused(&record);
+        assert!(field == "record.velocity_delay_s" && (found_s / late_s - 1.0).abs() < 0.1, "{said}");
+    }
+    let lever_b = Vector3::new(0.2, 0.2, -0.1);
+    let record = Unit { lever_b, ..Unit::default() }.record(&aerobatics, (from_s, to_s));
+    let (field, found_m, said) = refused(&record);
+    assert!(field == "record.lever_arm_m" && (found_m / 0.3 - 1.0).abs() < 0.1, "{said}");
+    let of_place = identify(&along.clone().with_lever_arm(&lever_b).unwrap(), &record, &Request::default());
+    let misalignment = &of_place.unwrap().accel.elements[2][0];
+    assert!(misalignment.value.abs() < 4.0 * misalignment.sigma, "{misalignment:?}");
+    let sensing = TriadParameters { g_sensitivity: Matrix3::identity() * 2e-5, ..Unit::default().gyro };
+    let record = Unit { gyro: sensing, ..Unit::default() }.record(&aerobatics, (from_s, to_s));
+    let size = identify(&along, &record, &Request::default()).unwrap().g_sensitivity.unwrap();
+    assert!((size / 2e-5 - 1.0).abs() < 0.2, "{size}");
+}

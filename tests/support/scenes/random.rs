@@ -25,8 +25,9 @@ impl Draws {
 }
 
 /// Keys that are not set key by key: those that choose the flight and its length, and those that end it early.
-const BY_HAND: [&str; 5] = [
+const BY_HAND: [&str; 6] = [
     "options.sample_period_s",
+    "options.max_gap_s",
     "options.max_acceleration_m_s2",
     "output.folder",
     "output.name",
@@ -68,7 +69,7 @@ pub fn random_scene(seed: u64, with_log: bool) -> FlownScene {
     }
     text += &format!("[options]\nseed = {seed}\nrun = {}\n", draws.below(1000));
     if draws.one_in(8) {
-        text += "max_acceleration_m_s2 = 400\n";
+        text += "max_acceleration_m_s2 = 400\nmax_gap_s = 50\n";
     }
     if log.as_ref().is_some_and(|log| log.is_regular) && draws.one_in(2) {
         text += &format!("sample_period_s = {}\n", 1.0 / RATE_HZ as f64);

@@ -15,7 +15,7 @@ pub fn text(record: &SensorRecord, found: &Identified, checked: Option<&Check>) 
     let parts: Vec<String> = sheets(found).iter().map(sensor).chain(checked.map(check::json)).collect();
     format!(
         "{{\n\"rows\": {}, \"interval_s\": {}, \"blocks\": {}, \"block_s\": {},\n\"clock_shift_s\": {},\n\"clock_drift\": {},\n\
-         \"axes\": {{\"exchange\": [{}], \"seen\": {}}},\n\"mounting_rad\": [{}],\n\"rotation\": [{}],\n{}\n}}\n",
+         \"axes\": {{\"exchange\": [{}], \"seen\": {}}},\n\"mounting_rad\": [{}],\n\"g_sensitivity_rad_s_per_m_s2\": {},\n\"rotation\": [{}],\n{}\n}}\n",
         record.increments.len(),
         record.interval_s,
         found.blocks,
@@ -25,6 +25,7 @@ pub fn text(record: &SensorRecord, found: &Identified, checked: Option<&Check>) 
         exchange.join(", "),
         found.axes.is_seen,
         mounting.join(", "),
+        found.g_sensitivity.map_or("null".to_owned(), |size| size.to_string()),
         rotation.join(", "),
         parts.join(",\n")
     )

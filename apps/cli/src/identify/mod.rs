@@ -17,6 +17,7 @@ pub use command::Order;
 
 use std::path::Path;
 
+use nalgebra::Vector3;
 use sins::Error;
 use sins::analysis::identify::check::{Check, CheckRequest, Truth, check as fly_twins, identify_first_half};
 use sins::analysis::identify::text::MARK;
@@ -54,6 +55,12 @@ pub fn run(order: &Order) -> Result<(), Failure> {
     let page = order.page.as_ref().map(|page| outputs.file(page, PAGE_MARK)).transpose()?;
     let picture = order.picture.as_ref().map(|picture| outputs.file(picture, PICTURE_MARK)).transpose()?;
     let record = SensorRecord::read(order, &given.scene)?;
+    let lever_arm_b = given.scene.errors.mounting.lever_arm_m;
+    if order.check && lever_arm_b != Vector3::zeros() {
+        return Err(Failure::new(
+            "mounting.lever_arm_m: --check flies from the point of the path; expected the path of the sensors' own place",
+        ));
+    }
     let residual_on = |path: &IdealPath, found: &Identified| Residual::new(path, &record, found);
     let (found, checked, residual) = match &of_check {
         Some(of_check) => {
@@ -64,6 +71,12 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         }
         None => {
             let path = flown(&given, |samples| IdealPath::fly(&given.scene.simulator_options(), samples))?;
+            let path = match lever_arm_b == Vector3::zeros() {
+                true => path,
+                false => {
+                    path.with_lever_arm(&lever_arm_b).map_err(|error| Failure::new(error.to_string()))?
+                }
+            };
             let found = identify(&path, &record.increments, &request)
                 .map_err(|error| Failure::of_file(order.record(), &sentence(&error, &record, order)))?;
             let residual = page.is_some().then(|| residual_on(&path, &found));

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use nalgebra::Vector3;
 use sins::analysis::identify::Identified;
 use sins::analysis::identify::text::{FIGURES, MARK, sections};
 use sins::log::LogMapping;
@@ -31,7 +32,7 @@ pub fn text(
         if order.check { "the first half of the common rows of " } else { "" },
         printable(&order.record().display().to_string()),
         flight(order, given),
-        sections(found, given.scene.options.axes)
+        with_lever_arm(sections(found, given.scene.options.axes), given)
     );
     match Scene::parse(text.as_bytes()) {
         Ok(_) => Ok(text),
@@ -39,6 +40,20 @@ pub fn text(
             let sentences: Vec<String> = faults.iter().map(|fault| fault.sentence.clone()).collect();
             Err(Failure::new(format!("a scene cannot have what was found: {}", sentences.join("; "))))
         }
+    }
+}
+
+/// The sections with the lever arm of the path's scene.
+fn with_lever_arm(sections: String, given: &Given) -> String {
+    let lever_arm_m = given.scene.errors.mounting.lever_arm_m;
+    if lever_arm_m == Vector3::zeros() {
+        return sections;
+    }
+    let [x, y, z] = [lever_arm_m.x, lever_arm_m.y, lever_arm_m.z];
+    let own = format!("[mounting]\nlever_arm_m = [{x}, {y}, {z}]\n");
+    match sections.contains("[mounting]\n") {
+        true => sections.replacen("[mounting]\n", &own, 1),
+        false => format!("{sections}\n{own}"),
     }
 }
 

@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 use sins::analysis::identify::sheet::{AXES, Sheet, sheets};
 use sins::analysis::identify::text::{axes, of_noise, seen, with_interval};
 use sins::analysis::identify::{Estimate, Identified};
-use sins::units::DEG;
+use sins::units::{DEG, DEG_PER_HOUR, STANDARD_GRAVITY as G};
 
 use super::record::SensorRecord;
 use crate::given::Given;
@@ -28,7 +28,13 @@ pub fn text(given: &Given, record: &SensorRecord, found: &Identified) -> String 
 pub fn head(given: &Given, record: &SensorRecord, found: &Identified) -> [String; 5] {
     let rate = significant(1.0 / record.interval_s);
     let used = time_text(found.blocks as f64 * found.block_s);
-    let remarks: String = record.remarks.iter().map(|remark| format!("; {remark}")).collect();
+    let sensed = found.g_sensitivity.map(|size| {
+        format!(
+            "the gyros have a g-sensitivity of about {} °/h/g, which is taken for misalignments",
+            significant(size * G / DEG_PER_HOUR)
+        )
+    });
+    let remarks: String = record.remarks.iter().chain(&sensed).map(|remark| format!("; {remark}")).collect();
     let is_taken = !found.axes.is_seen && found.axes.exchange == Matrix3::identity();
     let option = if is_taken { " (--axes)" } else { "" };
     let turned: Vec<String> = found
