@@ -1,5 +1,5 @@
-//! Errors that the model of the fit has not, and takes for misalignments: a lever arm or a delay of the accelerometers, and gyros that sense
-//! forces. The rows of the fit are solved again with columns of them, beside bias and signals of each sensor.
+//! Errors that the model of the fit has not, and takes for misalignments: a lever arm or a delay of the accelerometers, and gyros that
+//! sense forces. The rows of the fit are solved again with columns of them, beside bias and signals of each sensor.
 
 use nalgebra::{SMatrix, SVector, Vector3};
 
@@ -11,8 +11,8 @@ use crate::base::math::hypot;
 use crate::base::memory::room;
 use crate::base::records::rounded;
 
-/// Coefficients of one sensor that are solved for again, bias and the three signals; and more columns: three components, and the change by a
-/// shift of the clock.
+/// Coefficients of one sensor that are solved for again, bias and the three signals; and more columns: three components, and the change
+/// by a shift of the clock.
 const OWN: usize = 4;
 const MORE: usize = 4;
 const CLOCK: usize = 3;

@@ -70,8 +70,8 @@ impl Draft<'_> {
         }
     }
 
-    /// Numbers, or hours, minutes and seconds as 091459.5 or 091459500, also behind a date, as 20261128091459: their last two pairs of digits
-    /// are below 60, and they jump at the end of a minute, or their name says so.
+    /// Numbers, or hours, minutes and seconds as 091459.5 or 091459500, also behind a date, as 20261128091459: their last two pairs of
+    /// digits are below 60, and they jump at the end of a minute, or their name says so.
     fn formats_of_numbers(&self, place: usize) -> Vec<TimeFormat> {
         let numbers = self.grid.numbers(place);
         let first = numbers.first().copied().unwrap_or(-1.0);

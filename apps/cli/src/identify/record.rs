@@ -77,9 +77,16 @@ impl SensorRecord {
         let mut increments: Vec<RecordedIncrement> = (0..log.count()).map(row).collect();
         // A row of the same stamp has nothing to say of when it was.
         increments.dedup_by(|next, before| next.time_s <= before.time_s);
+        // What drops out writes zeros, and no sensor of a vehicle reads them in all axes.
+        let rows = increments.len();
+        increments.retain(|row| row.increment != Increment::ZERO);
+        let zeros = rows - increments.len();
         let counted = log.counted();
         let mapping = log.taken.map(|taken| if order.reversed { reversed(*taken) } else { *taken });
-        let Log { name, interval_s, remarks, .. } = log;
+        let Log { name, interval_s, mut remarks, .. } = log;
+        if zeros > 0 {
+            remarks.push(format!("{zeros} of {rows} rows, in which all sensors are 0, are left out"));
+        }
         let is_described = source.mapping.is_some();
         Ok(Self { name, interval_s, counted, columns, increments, remarks, is_described, mapping })
     }

@@ -58,6 +58,29 @@ fn plain_unit(text: &str) -> String {
     text.replace('/', "_").replace('²', "2").replace(['^', ' '], "")
 }
 
+/// The columns with the three of a sensor in the order x, y, z, if one letter of their names says it.
+fn in_order(mut columns: Vec<(String, Quantity)>) -> Vec<(String, Quantity)> {
+    for of_sensor in columns.chunk_by_mut(|one, next| one.1.sensor == next.1.sensor) {
+        let names: Vec<Vec<char>> =
+            of_sensor.iter().map(|(name, _)| name.to_lowercase().chars().collect()).collect();
+        let [first, second, third] = &names[..] else { continue };
+        let places = first.iter().zip(second).zip(third).map(|((a, b), c)| [*a, *b, *c]);
+        let differing: Vec<[char; 3]> =
+            places.filter(|letters| letters.iter().any(|letter| *letter != letters[0])).collect();
+        let is_as_long = second.len() == first.len() && third.len() == first.len();
+        if let [letters] = differing[..]
+            && is_as_long
+            && ['x', 'y', 'z'].iter().all(|axis| letters.contains(axis))
+        {
+            let mut ordered: Vec<(char, (String, Quantity))> =
+                letters.into_iter().zip(of_sensor.iter().cloned()).collect();
+            ordered.sort_by_key(|(axis, _)| *axis);
+            of_sensor.iter_mut().zip(ordered).for_each(|(place, (_, column))| *place = column);
+        }
+    }
+    columns
+}
+
 /// A recorder whose columns have no unit in their names.
 struct Recorder {
     /// Column of times, and its unit [s]. Others write GyrX in other units: only a table with this column is of the recorder.
@@ -212,7 +235,7 @@ pub fn choose(names: &[String], wanted: &[Wanted], flag: &str) -> Result<Vec<(St
             !quantity.is_increment || INCREMENT_WORDS.iter().any(|word| name.to_lowercase().contains(word))
         };
         let all = names.iter().filter_map(|name| Some((name.clone(), by_name(name, recorder)?)));
-        all.filter(|(name, quantity)| is_sensor(name, quantity)).collect()
+        in_order(all.filter(|(name, quantity)| is_sensor(name, quantity)).collect())
     } else {
         wanted.map(|wanted| find(wanted, recorder)).collect::<Result<Vec<_>, _>>()?
     };

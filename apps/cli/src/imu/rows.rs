@@ -16,6 +16,9 @@ use crate::table::{Chosen, Table};
 /// Largest number of rows of a record, as of the library.
 pub const MOST_ROWS: usize = 100_000_000;
 
+/// Names of columns that tell several sensors apart, as in the messages of ArduPilot.
+const INSTANCES: [&str; 3] = ["i", "instance", "imu_instance"];
+
 /// Part of an interval by which the stamps of two files may differ.
 const APART: f64 = 0.1;
 
@@ -92,12 +95,14 @@ impl Rows {
         let Source { path, flag, rate_hz, .. } = *source;
         let Plain { input, separator, is_marked } =
             plain(input).map_err(|error| Failure::of_input(path, &error))?;
+        let mut instance = None;
         let mut guess = Guess { separator, is_marked, rate_hz, ..Guess::default() };
         let mut table = Table::read_some(path, input, |names| {
             guess.columns =
                 choose(names, source.columns, flag).map_err(|failure| Failure::of_line(path, 1, &failure))?;
             guess.time = quantity::stamps(names, source.columns);
             guess.names = names.to_vec();
+            instance = names.iter().find(|name| INSTANCES.contains(&name.to_lowercase().as_str())).cloned();
             let clock = guess.time.iter().find_map(|(name, stamp)| match stamp {
                 Stamp::Clock(format) => {
                     let mapping = LogMapping { time_format: *format, ..LogMapping::default() };
@@ -107,10 +112,22 @@ impl Rows {
             });
             let names =
                 guess.columns.iter().map(|(name, _)| name).chain(guess.time.iter().map(|(name, _)| name));
+            let names = names.chain(&instance);
             // Where rows are counted, a row that is left out would move those behind it.
             let may_have_holes = rate_hz.is_none() && guess.time.is_some();
             Ok(Chosen { names: names.cloned().collect(), clock, may_have_holes, most: Some(MOST_ROWS) })
         })?;
+        if let Some(name) = &instance {
+            let of_rows = table.take(name)?;
+            if of_rows.iter().any(|number| *number != of_rows[0]) {
+                let what = format!(
+                    "column {name} has several numbers, as of several sensors; an [imu] (--imu-map) with only_column = \"{name}\" and \
+                     only = \"{}\" reads the rows of one",
+                    of_rows[0]
+                );
+                return Err(Failure::of_line(path, 1, &what));
+            }
+        }
         if guess.time.is_none() && rate_hz.is_none() {
             let header = table.header();
             let what = format!(

@@ -190,6 +190,64 @@ fn unfit_records_are_named() {
 }
 
 /// A scene names the log of the path only if it reads the log as the path was read.
+/// Columns in the order y, z, x, rows of zeros where the record dropped out, and two units in one table.
+#[test]
+fn tables_of_other_orders_with_zeros_and_of_two_units_are_read_right() {
+    let folder = folder("identify_tables");
+    record(&folder, "aerobatics", &[]);
+    let table = read(folder.join("imu.csv"));
+    let mut rows = table.lines().filter(|line| !line.starts_with('#')).map(|line| line.split(',').collect());
+    let names: Vec<&str> = rows.next().unwrap();
+    let rows: Vec<Vec<&str>> = rows.collect();
+    let first = names.iter().position(|name| name.starts_with("angle_increment_x")).unwrap();
+    let order = [1, 2, 0, 4, 5, 3].map(|place| first + place);
+    let of = |row: &[&str]| order.map(|place| row[place]).join(",");
+    let found = |name: &str, text: String, more: &[&str]| {
+        std::fs::write(folder.join(name), text).unwrap();
+        let arguments = identify(&[&["--prior", "tactical", "-o", "s.toml"], more].concat());
+        let arguments: Vec<&str> =
+            arguments.iter().map(|word| if *word == "imu.csv" { name } else { word }).collect();
+        let (code, said, errors) = run(&folder, &arguments);
+        (code, said + &errors)
+    };
+    let near = |scene: &str| {
+        let biases = values(scene, "gyro", "bias_deg_h");
+        assert!(
+            biases.iter().zip([20.0, -30.0, 40.0]).all(|(found, bias)| (found - bias).abs() < 5.0),
+            "{biases:?}"
+        );
+    };
+    let zeros = [4000..4100, 9000..9001];
+    let cells =
+        rows.iter().enumerate().map(|(at, row)| match zeros.iter().any(|zeros| zeros.contains(&at)) {
+            true => format!("{},0,0,0,0,0,0\n", row[0]),
+            false => format!("{},{}\n", row[0], of(row)),
+        });
+    let text = format!("time_s,{}\n", of(&names)) + &cells.collect::<String>();
+    let (code, said) = found("zeros.csv", text, &["--force"]);
+    assert!(
+        code == 0 && said.contains("101 of 14400 rows, in which all sensors are 0, are left out"),
+        "{said}"
+    );
+    near(&read(folder.join("s.toml")));
+
+    let two = rows.iter().map(|row| {
+        let one = of(row);
+        format!("{},0,{one}\n{}1,1,{}\n", row[0], row[0], one.replace(',', "9,"))
+    });
+    let text = format!("time_s,I,{}\n", of(&names)) + &two.collect::<String>();
+    let (code, said) = found("two.csv", text, &["--force"]);
+    assert!(code == 2 && said.contains("only_column = \"I\" and only = \"0\""), "{said}");
+    let written = read(folder.join("s.toml"));
+    let map = format!("[imu]{}", written.split("\n[imu]").nth(1).unwrap());
+    std::fs::write(folder.join("map.toml"), format!("{map}only_column = \"I\"\nonly = \"0\"\n")).unwrap();
+    let (code, said) = found("two.csv", read(folder.join("two.csv")), &["--force", "--imu-map", "map.toml"]);
+    assert_eq!(code, 0, "{said}");
+    let again = read(folder.join("s.toml"));
+    near(&again);
+    assert!(again.contains("only_column = \"I\"") && again.contains("only = \"0\""), "{again}");
+}
+
 #[test]
 fn a_log_that_needs_a_mapping_is_not_flown_without_it() {
     let folder = folder("mapped");
