@@ -87,8 +87,8 @@ const TURNED: f64 = 90.0 * DEG;
 const DIFFER: f64 = 0.5;
 const EQUAL: f64 = 0.1;
 
-/// How many times the roll is the bank of a turn that is too slow for it, and least deviation of such a roll \[rad\].
-const TOO_FAR: f64 = 5.0;
+/// How many times the roll is the bank of turns, and least deviation of such a roll \[rad\].
+const AS_FAR: core::ops::Range<f64> = 0.4..2.5;
 const ROLLS: f64 = 5.0 * DEG;
 
 /// Bank and roll of a vehicle that does not fly on its back \[rad\].
@@ -412,11 +412,11 @@ impl Attitudes {
         (clue != Clue::None || !(0.1..=5.0).contains(&slope)).then_some((slope, clue))
     }
 
-    /// How many times the roll is the bank of the turns, if they follow each other and it is many times: time or way is in another unit.
-    pub fn rolls_too_far(&self) -> Option<f64> {
+    /// How many times the roll is the bank of the turns, if they follow each other and it is another one: roll, time or way are others.
+    pub fn rolls_otherwise(&self) -> Option<f64> {
         let (deviation, slope, correlation) = self.rolls.figures();
         let rolls = self.rolls.count >= LEAST && slope * deviation > ROLLS;
-        (rolls && correlation > BANKS && slope > TOO_FAR).then_some(slope)
+        (rolls && correlation > BANKS && !AS_FAR.contains(&slope)).then_some(slope)
     }
 
     /// Slope of the pitch on the angle of the path, if the path varies, and what is wrong.

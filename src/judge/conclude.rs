@@ -361,8 +361,8 @@ impl Judge {
                 found.add(Finding { clue, ..Finding::new(Kind::RollSign, Level::Unusable, slope) });
             }
             other => {
-                if let Some(slope) = attitudes.rolls_too_far() {
-                    let clue = Clue::Known("the time or the way is in another unit");
+                if let Some(slope) = attitudes.rolls_otherwise() {
+                    let clue = Clue::Known("roll, time or position is in another unit");
                     found
                         .add(Finding { clue, ..Finding::new(Kind::RollUnexplained, Level::Doubtful, slope) });
                 } else if let Some((slope, _)) = other {

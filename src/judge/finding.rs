@@ -325,7 +325,7 @@ impl Finding {
             }
             Kind::HeadingOffTrack => "if it is a magnetic heading, add the variation",
             Kind::AngleThroughWrap => "unwrap the angle before interpolating it, or a smaller step",
-            Kind::RollUnexplained if self.clue != Clue::None => "state the units of time and position",
+            Kind::RollUnexplained if self.clue != Clue::None => "state the units of roll, time and position",
             Kind::RollUnexplained => {
                 "right for a vehicle on wheels or in a hover, else check unit and sign of roll"
             }

@@ -9,6 +9,7 @@ pub(super) mod motion;
 mod near;
 mod position;
 mod quaternion;
+mod stated;
 mod times;
 mod units;
 mod vehicles;
@@ -93,6 +94,10 @@ pub fn survey(table: &[u8]) -> Option<Survey> {
     }
     draft.null_rows();
     draft.height(known.is_some());
+    if known.is_none() {
+        draft.unknown_units();
+        draft.attitude_like();
+    }
     draft.only_one();
     draft.complete();
     let text = draft.layout().chain(draft.keys).map(|(key, value)| format!("{key} = {value}\n")).collect();

@@ -115,9 +115,21 @@ pub fn unit_in_name(name: &str, dimension: Dimension) -> Option<&'static str> {
     unit_of(dimension, unit).filter(|_| !unit.is_empty()).map(|(unit, _)| unit)
 }
 
+/// Words of a line of units that change no unit.
+const BESIDE: [&str; 8] = ["msl", "amsl", "asl", "true", "wgs84", "ellipsoid", "ned", "north"];
+
+/// Whether a line of units says nothing of a column, or a unit of this dimension and nothing else.
+pub fn is_understood(cell: &str, dimension: Dimension) -> bool {
+    let words = words(&cell.replace(['°', 'º'], " deg "));
+    let kept: Vec<&str> = words.iter().map(String::as_str).filter(|word| !BESIDE.contains(word)).collect();
+    let spelled = kept.join(" ");
+    let mut units = SPELLINGS.iter().chain(LETTERS).filter(|(spelling, _)| *spelling == spelled);
+    kept.is_empty() || units.any(|(_, unit)| unit_of(dimension, unit).is_some())
+}
+
 /// The unit that a cell of a line of units has; empty: one that a quantity has anyway.
 pub fn unit(cell: &str) -> Option<&'static str> {
-    let words = words(cell);
+    let words = words(&cell.replace(['°', 'º'], " deg "));
     let of = |length: usize| {
         let spelled = words.get(..length)?.join(" ");
         SPELLINGS.iter().chain(LETTERS).find(|(spelling, _)| *spelling == spelled).map(|(_, unit)| *unit)

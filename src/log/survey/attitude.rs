@@ -1,7 +1,8 @@
 //! Attitudes whose unit or whose sense nothing states.
 
+use super::super::words::words;
 use super::motion::{Motion, READINGS, Reading};
-use super::{ATTITUDE, Draft, Question, largest};
+use super::{ATTITUDE, Draft, QUATERNION, Question, largest};
 use crate::base::text::excerpt;
 use crate::base::units::DEG;
 
@@ -16,6 +17,19 @@ pub const BETTER: f64 = 3.0;
 
 /// A quarter of a turn.
 pub const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
+
+/// Words of the names of columns that look like each angle, and those that make another one of them.
+const LIKE: [(&str, &[&str], &[&str]); 3] = [
+    ("roll", &["roll", "bank", "roulis", "alabeo", "rollio", "wanken", "phi"], &[]),
+    ("pitch", &["pitch", "tangage", "cabeceo", "beccheggio", "nick", "theta"], &["trim"]),
+    ("heading", &["heading", "yaw", "hdg", "azimuth", "cap", "rumbo", "psi"], &["gps", "track"]),
+];
+
+/// Words of the names of columns that are no angles of the vehicle.
+const NOT_ANGLES: [&str; 20] = [
+    "rate", "speed", "vel", "acc", "accel", "cmd", "command", "target", "des", "desired", "std", "sigma",
+    "error", "err", "wind", "gimbal", "trim", "rc", "in", "bug",
+];
 
 impl Draft<'_> {
     /// The unit of an attitude that states none and has no angle above a turn in radians: the one in which the heading follows the track. A
@@ -82,6 +96,49 @@ impl Draft<'_> {
             let words = if unit == "rad" { "radians" } else { "degrees" };
             self.doubt(format!("{name} is taken as {words}: no angle of the attitude is above 6.28, and the heading follows the track"));
         }
+    }
+
+    /// Asks about columns that look like an attitude where none is read: another unit, another name.
+    pub(super) fn attitude_like(&mut self) {
+        let is_read = self.has_all(&ATTITUDE) || self.has_all(&QUATERNION) || self.is_attitude_asked;
+        if is_read || self.value("attitude").is_some() {
+            return;
+        }
+        let found = LIKE.map(|(key, like, unlike)| {
+            let is_like = |place: &usize| {
+                let words = words(&self.grid.names[*place]);
+                let is_in = |known: &[&str]| words.iter().any(|word| known.contains(&word.as_str()));
+                is_in(like) && !is_in(&NOT_ANGLES) && !is_in(unlike) && self.has_numbers(*place)
+            };
+            self.place(key).or_else(|| (0..self.grid.names.len()).find(is_like))
+        });
+        let [Some(roll), Some(pitch), Some(heading)] = found else { return };
+        let places = [roll, pitch, heading];
+        let angles = places.map(|place| largest(&self.grid.numbers(place)));
+        let of_unit = |part: &str, words: &str| {
+            let lines: Vec<String> = ATTITUDE
+                .iter()
+                .zip(places)
+                .map(|(key, place)| format!("{key} = {}", self.column(place, part)))
+                .collect();
+            format!("{}  # {words}", lines.join("\n"))
+        };
+        let mut answers = vec![of_unit("", "degrees")];
+        if angles.iter().all(|angle| *angle <= 4.0 * QUARTER) {
+            answers.push(of_unit(", unit = \"rad\"", "radians"));
+        }
+        if angles.iter().any(|angle| *angle > 400.0) {
+            answers.push(of_unit(", scale = 0.01", "hundredths of a degree"));
+            answers.push(of_unit(", unit = \"rad\", scale = 0.001", "thousandths of a radian"));
+        }
+        answers.push("attitude = \"coordinated\"  # they are something else".to_owned());
+        let names = places.map(|place| excerpt(&self.grid.names[place]));
+        for key in ATTITUDE {
+            self.remove(key);
+        }
+        self.is_attitude_asked = true;
+        let sentence = format!("are {}, {} and {} the attitude?", names[0], names[1], names[2]);
+        self.ask(Question { sentence, answers });
     }
 
     pub(super) fn is_position_in_radians(&self) -> bool {

@@ -38,6 +38,28 @@ fn an_attitude_without_units_is_of_the_unit_in_which_the_heading_follows_the_tra
             assert!((0..3).all(is_near), "{names}: {found:?}, not {expected:?}");
         }
     }
+    // Names that say another unit, or more than the angle: not read, and not passed over.
+    for (names, answer) in [
+        ("roll_cd,pitch_cd,yaw_cd", ", scale = 0.01 }"),
+        ("Roll (mrad),Pitch (mrad),Yaw (mrad)", ", unit = \"rad\", scale = 0.001 }"),
+        ("ekf_roll_est,ekf_pitch_est,heading", "heading = \"heading\"  # degrees"),
+        ("roll,pitch,Yaw angle of EKF", "attitude = \"coordinated\"  # they are something else"),
+    ] {
+        assert_asks(&text(names, |angles| angles.map(|angle| 100.0 * angle), &rows), answer);
+    }
+    for names in ["roll_rate,pitch_rate,yaw_rate", "DesRoll,DesPitch,DesYaw", "roll_in,pitch_in,heading"] {
+        let (found, _) = look(&text(names, |angles| angles, &rows));
+        assert!(found.questions.is_empty(), "{names}: {found:?}");
+    }
+    for names in [
+        "Roulis,Tangage,Cap",
+        "Querneigung,Längsneigung,Kurs (steuerkurs)",
+        "AHRS Roll,AHRS Pitch,heading (magnetic)",
+    ] {
+        let (found, samples) = look(&text(names, |angles| angles, &rows));
+        let is_read = samples.as_ref().is_ok_and(|samples| samples[0].euler.pitch > 0.04);
+        assert!(is_read || names.contains("Kurs"), "{names}: {found:?} {samples:?}");
+    }
     // A flight to the north has a small heading in degrees.
     let mut north = rows.clone();
     for (index, row) in north.iter_mut().enumerate() {

@@ -130,6 +130,35 @@ fn slow_vehicles_are_no_fast_ones_in_milliseconds() {
     assert_eq!(samples[samples.len() - 1].time_s, 299.0, "{found:?}");
 }
 
+/// A line of units states one that is not understood: the column is not read in the usual one.
+#[test]
+fn stated_units_that_are_not_understood_are_asked_about() {
+    let rows = flight(47.3, 8.4);
+    let cells = |_: usize, row: &Row| format!("{:.1},{},1,2,30,40,{:.1}", row[0], place(row), row[5]);
+    let of =
+        |line: &str| table(&format!("time,lat,lon,alt,roll,pitch,yaw,speed,course\n{line}"), &rows, cells);
+    for (line, words) in [
+        ("0.1 s,deg,deg,m,deg,deg,deg,m/s,deg", "time is in 0.1 s, which is not understood"),
+        ("s,deg,deg W,m,deg,deg,deg,m/s,deg", "longitude = { col = \"lon\", sign = -1 }"),
+        ("s,°S,°,m,deg,deg,deg,m/s,deg", "latitude = { col = \"lat\", sign = -1 }"),
+        ("s,deg,deg,FL,deg,deg,deg,m/s,deg", "height = { col = \"alt\", scale = 30.48 }"),
+        ("s,deg,deg,ft x 100,deg,deg,deg,m/s,deg", "alt is in ft x 100"),
+        ("s,deg,deg,ft AGL,deg,deg,deg,m/s,deg", "alt is in ft AGL"),
+        ("s,deg,deg,m,deg left,deg,deg,m/s,deg", "roll is in deg left"),
+        ("s,deg,deg,m,0.01deg,deg,deg,m/s,deg", "attitude = \"coordinated\""),
+    ] {
+        assert_asks(&of(line), words);
+    }
+    for line in [
+        "s,deg,deg,m,deg,deg,deg,m/s,deg",
+        "s,°,°,m (MSL),°,°,° true,m/s,deg",
+        "sec,,,meters,degrees,degrees,,,",
+    ] {
+        let (found, samples) = look(&of(line));
+        assert!(samples.is_ok() && found.questions.is_empty(), "{line}: {found:?}");
+    }
+}
+
 /// A temperature T is no time where another column is.
 #[test]
 fn a_temperature_is_no_time() {

@@ -483,14 +483,22 @@ fn a_roll_in_radians_is_found() {
     assert_eq!(unseen, NONE);
 }
 
-/// Times that count tenths of a second: the roll is a hundred times that of the turns.
+/// Times that count tenths of a second, or run twice or half as fast, and a roll of another size: the roll is not the bank of the turns.
 #[test]
-fn times_in_another_unit_are_found_by_the_roll() {
-    let slow =
-        |samples: &[FlightSample]| each(&without_velocities(samples), |_, sample| sample.time_s *= 10.0);
-    let mut unseen = missed(&[Kind::RollUnexplained], Level::Doubtful, 10.0, slow);
-    unseen.retain(|name| !name.contains("aerobatics"));
-    assert_eq!(unseen, NONE);
+fn times_and_rolls_in_another_unit_are_found_by_the_turns() {
+    for (time, roll) in [(10.0, 1.0), (2.0, 1.0), (0.5, 1.0), (1.0, 3.0)] {
+        let other = |samples: &[FlightSample]| {
+            each(&without_velocities(samples), |_, sample| {
+                sample.time_s *= time;
+                sample.euler.roll *= roll;
+            })
+        };
+        let mut unseen = missed(&[Kind::RollUnexplained], Level::Doubtful, 10.0, other);
+        unseen.retain(|name| !name.contains("aerobatics"));
+        // Twice as fast, the racetrack would bank by more than 75°.
+        let expected = if time == 0.5 { &["racetrack"][..] } else { &[] };
+        assert_eq!(unseen, expected, "{time} {roll}");
+    }
 }
 
 /// A pitch in radians beside a heading in degrees.
