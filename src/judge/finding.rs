@@ -89,6 +89,11 @@ pub enum Kind {
     HeightAboveAir = 30,
 }
 
+/// Noise and steps of positions [m], and jumps [m/s²], that no smoothing repairs: they are those of several vehicles, or of lost digits.
+const NOISE_M: f64 = 50.0;
+const STEP_M: f64 = 150.0;
+const JUMP_M_S2: f64 = 150.0;
+
 /// What an angle is that is too small by 57.3.
 pub(super) const RADIANS: &str = "radians taken for degrees";
 
@@ -192,6 +197,17 @@ impl Finding {
         is_of_velocities && self.level == Level::Unusable && !is_explained
     }
 
+    /// Whether positions are so coarse, noisy or broken that a path through them is none of a vehicle.
+    fn is_gross(&self) -> bool {
+        let limit = match self.kind {
+            Kind::NoisyPositions => NOISE_M,
+            Kind::CoarsePositions => STEP_M,
+            Kind::Acceleration => JUMP_M_S2,
+            _ => return false,
+        };
+        self.figure > limit
+    }
+
     /// It, found in the rows that a path was fitted to, at the sample `row` of the path: what the path does not have is a note, unless it
     /// may be the path that is wrong.
     pub(crate) fn of_rows(self, row: u64) -> Self {
@@ -215,7 +231,7 @@ impl Finding {
         match is_in_path {
             true => Self { at, ..self },
             false => Self {
-                level: if self.is_open() { Level::Doubtful } else { Level::Note },
+                level: if self.is_open() || self.is_gross() { Level::Doubtful } else { Level::Note },
                 acceleration_m_s2: 0.0,
                 ins_error_m: 0.0,
                 is_of_rows: true,

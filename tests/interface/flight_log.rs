@@ -173,7 +173,11 @@ fn values_of_a_log_have_ranges() {
         ),
         (2, "-101", "longitude_rad = -101: must be from -100 to 100; is it in degrees?"),
         (3, "5e9", "height_m = 5e9: must be from -20000 to 2000000"),
-        (6, "1e5", "heading_rad = 100000: must be from -10000 to 10000"),
+        (
+            6,
+            "1e5",
+            "heading_rad = 100000: must be from -10000 to 10000; a number that stands for a missing value is left out by log.missing",
+        ),
         (9, "3e4", "velocity_up_m_s = 30000: must be from -20000 to 20000"),
         (10, "3000", "temperature_c = 3000: must be from -273.15 to 1000"),
     ] {

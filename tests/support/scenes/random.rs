@@ -216,7 +216,7 @@ fn value(key: &KeyLine, draws: &mut Draws) -> String {
 /// The description of a record, which no flight reads.
 fn imu(draws: &mut Draws) -> String {
     let mut text = format!(
-        "[imu]\nheader = {}\nskip = {}\ncomment = \"%\"\nmissing = -9999\nrate_hz = 200\nseparator = \"{}\"\ntime_format = \"{}\"\n",
+        "[imu]\nheader = {}\nskip = {}\ncomment = \"%\"\nmissing = -9999\nonly_column = \"I\"\nonly = \"0\"\nrate_hz = 200\nseparator = \"{}\"\ntime_format = \"{}\"\n",
         draws.below(9),
         draws.below(9),
         draws.of(&["comma", "semicolon", "tab", "bar", "blanks"]),
