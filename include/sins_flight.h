@@ -193,7 +193,7 @@ SINS_API sins_status SINS_CALL sins_flight_destroy(sins_flight *flight);
 /* Judges of samples. */
 
 /** Most findings of a flight. */
-#define SINS_FINDINGS_MAX 31
+#define SINS_FINDINGS_MAX 32
 
 /** What was found, and what the figure of the finding is. */
 typedef enum sins_finding_kind {
@@ -239,7 +239,7 @@ typedef enum sins_finding_kind {
     SINS_FINDING_ROLL_SIGN = 19,
     /** Roll that the turns do not explain; figure: its slope on the bank that the turns need [1]. */
     SINS_FINDING_ROLL_UNEXPLAINED = 20,
-    /** Pitch with the wrong sign; figure: its slope on the angle of the path [1]. */
+    /** Pitch with the wrong sign, or in radians; figure: its slope on the angle of the path [1]. */
     SINS_FINDING_PITCH_SIGN = 21,
     /** A nose that points below the path; figure: mean of pitch less angle of the path [rad]. */
     SINS_FINDING_ATTACK_NEGATIVE = 22,
@@ -258,7 +258,9 @@ typedef enum sins_finding_kind {
     /** Columns of a log that are not read contradict what flies; figure: number of them. */
     SINS_FINDING_UNREAD_CONTRADICTS = 29,
     /** Level flight above the air: height in a smaller unit than metres; figure: the height [m]. */
-    SINS_FINDING_HEIGHT_ABOVE_AIR = 30
+    SINS_FINDING_HEIGHT_ABOVE_AIR = 30,
+    /** Roll, or pitch above the path, that is far off in straight flight; figure: the angle [rad]. */
+    SINS_FINDING_ATTITUDE_TURNED = 31
 } sins_finding_kind;
 
 /** What a finding means for a flight of these samples. */

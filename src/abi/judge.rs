@@ -28,7 +28,7 @@ include!(concat!(env!("OUT_DIR"), "/sins_finding_kind.rs"));
 include!(concat!(env!("OUT_DIR"), "/sins_finding_level.rs"));
 
 /// Most findings of a flight.
-pub const SINS_FINDINGS_MAX: usize = 31;
+pub const SINS_FINDINGS_MAX: usize = 32;
 const _: () = assert!(SINS_FINDINGS_MAX == MAX_FINDINGS);
 
 /// What a judge found.

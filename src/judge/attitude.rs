@@ -4,9 +4,11 @@ use nalgebra::Vector3;
 
 use super::blocks::{Block, Coarseness, End};
 use super::crab::Crab;
+use super::direction::Direction;
 use super::finding::{Clue, Level, RADIANS};
 use super::held::{Held, Stretches};
 use super::regression::Regression;
+use super::straight::Straight;
 use crate::base::math::{atan, atan2, hypot, sin_cos, wrap_angle};
 use crate::base::units::{DEG, STANDARD_GRAVITY as G};
 
@@ -94,27 +96,6 @@ const ROLLS: f64 = 5.0 * DEG;
 /// Bank and roll of a vehicle that does not fly on its back \[rad\].
 const UPRIGHT: f64 = 75.0 * DEG;
 
-/// A sum of unit vectors in the plane.
-#[derive(Debug, Clone, Copy)]
-struct Direction {
-    cosine: f64,
-    sine: f64,
-}
-
-impl Direction {
-    const NONE: Self = Self { cosine: 0.0, sine: 0.0 };
-
-    fn add(&mut self, angle: f64) {
-        let (sine, cosine) = sin_cos(angle);
-        self.cosine += cosine;
-        self.sine += sine;
-    }
-
-    fn length(&self) -> f64 {
-        hypot(self.cosine, self.sine)
-    }
-}
-
 /// What is wrong with a pitch that the angle of the path contradicts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PitchFault {
@@ -149,6 +130,7 @@ pub(super) struct Attitudes {
     differ2: [f64; 5],
     /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank, Σ roll².
     turns: [f64; 6],
+    pub straight: Straight,
     /// Roll on the bank that the turn needs.
     rolls: Regression,
     /// Pitch on the angle of the path, and that of the flight straight on.
@@ -179,6 +161,7 @@ impl Attitudes {
             turned2: 0.0,
             differ2: [0.0; 5],
             turns: [0.0; 6],
+            straight: Straight::NONE,
             rolls: Regression::NONE,
             climb: Regression::NONE,
             straight_climb: Regression::NONE,
@@ -213,7 +196,7 @@ impl Attitudes {
             sum.add(wrap_angle(end.euler.heading * factor - track));
         }
         self.crab.add([v.x, v.y], end.euler.heading);
-        self.add_turn(track, end.euler.heading);
+        self.add_turn(track, end.euler.heading, roll, speed / (0.5 * length_s * G));
         let turn = wrap_angle(atan2(second.x, second.y) - atan2(first.x, first.y));
         let bank = atan(speed * turn / (0.5 * length_s) / G);
         if (5.0 * DEG..75.0 * DEG).contains(&bank.abs()) && sin_cos(pitch).1.abs() > 0.5 {
@@ -241,6 +224,7 @@ impl Attitudes {
         let mean = (blocks[0].rolled + blocks[1].rolled) / length_s;
         self.add_banked(Banked { bank, roll, mean }, 0.5 * length_s);
         let path = atan2(v.z, speed);
+        self.straight.add(roll, [pitch, path], bank);
         if speed > 15.0 && roll.abs() < 1.0 && path.abs() < 1.2 && coarse.up_m < 0.02 * speed * length_s {
             self.climb.add(path, pitch);
             if roll.abs().max(bank.abs()) < STRAIGHT {
@@ -249,10 +233,13 @@ impl Attitudes {
         }
     }
 
-    fn add_turn(&mut self, track: f64, heading: f64) {
+    /// `tangent`: that of the bank that a turn by an angle needs, over the angle [1/rad].
+    fn add_turn(&mut self, track: f64, heading: f64, roll: f64, tangent: f64) {
         if let Some([track_before, heading_before]) = self.before {
             let turn = wrap_angle(track - track_before);
-            let with = wrap_angle(heading - heading_before) * turn;
+            let of_heading = wrap_angle(heading - heading_before);
+            self.straight.add_turn(of_heading, turn, roll, atan(tangent * of_heading));
+            let with = of_heading * turn;
             self.turned += turn.abs();
             self.turned_with += if with == 0.0 { 0.0 } else { turn.abs().copysign(with) };
             self.turned2 += turn * turn;

@@ -2,7 +2,7 @@
 
 use super::attitude::PitchFault;
 use super::blocks::Level as BlockLevel;
-use super::finding::{Clue, Finding, Kind, Level, RADIANS};
+use super::finding::{Clue, Finding, Kind, Level, MIRRORED, RADIANS};
 use super::velocity::Wrong;
 use super::{Judge, MAX_FINDINGS};
 use crate::base::math::hypot;
@@ -345,8 +345,15 @@ impl Judge {
         };
         if let Some((follows, clue)) = attitudes.heading_unit() {
             found.add(Finding { clue, ..Finding::new(Kind::HeadingUnit, Level::Unusable, follows) });
+        } else if let Some(follows) = attitudes.straight.mirrored() {
+            let own = Finding::new(Kind::HeadingUnit, Level::Unusable, follows);
+            found.add(Finding { clue: Clue::Known(MIRRORED), ..own });
         } else if let Some((angle, level)) = attitudes.heading_offset() {
             found.add(Finding::new(Kind::HeadingOffTrack, level, angle));
+        }
+        if let Some((angle, name)) = attitudes.straight.off() {
+            let own = Finding::new(Kind::AttitudeTurned, Level::Doubtful, angle);
+            found.add(Finding { clue: Clue::Known(name), ..own });
         }
         let heading_held = attitudes.heading_held();
         if let Some((held, count)) = attitudes.held().or(heading_held) {

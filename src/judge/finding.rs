@@ -87,12 +87,17 @@ pub enum Kind {
     UnreadContradicts = 29,
     /// Level flight above the air: height in a smaller unit than metres; figure: the height [m].
     HeightAboveAir = 30,
+    /// Roll, or pitch above the path, that is far off in straight flight; figure: the angle [rad].
+    AttitudeTurned = 31,
 }
 
 /// Noise and steps of positions [m], and jumps [m/s²], that no smoothing repairs: they are those of several vehicles, or of lost digits.
 const NOISE_M: f64 = 50.0;
 const STEP_M: f64 = 150.0;
 const JUMP_M_S2: f64 = 150.0;
+
+/// What a path is whose attitude turns otherwise.
+pub(super) const MIRRORED: &str = "latitude and longitude are exchanged, or one has lost its sign";
 
 /// What an angle is that is too small by 57.3.
 pub(super) const RADIANS: &str = "radians taken for degrees";
@@ -225,6 +230,7 @@ impl Finding {
                 | Kind::AttackNegative
                 | Kind::HeightUnit
                 | Kind::HeightAboveAir
+                | Kind::AttitudeTurned
                 | Kind::AttitudeHeld
                 | Kind::AttitudeLate
         ) || self.is_of_two();
@@ -336,6 +342,10 @@ impl Finding {
             Kind::VelocityContradicts => "give the velocity against the ground, or leave it out",
             Kind::VelocityLate => "correct the time of the velocity, or leave the velocity out",
             Kind::VelocityAtTimes => "correct these rows, or smooth the log",
+            Kind::AttitudeTurned => "state the axes of the attitude: add = ... and sign = ... turn it",
+            Kind::HeadingUnit if self.clue == Clue::Known(MIRRORED) => {
+                "check latitude, longitude and their signs"
+            }
             Kind::HeadingUnit | Kind::RollSign | Kind::PitchSign => {
                 "state the unit and the sign of the angle"
             }

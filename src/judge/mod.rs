@@ -9,6 +9,7 @@ mod attitude;
 mod blocks;
 mod conclude;
 mod crab;
+mod direction;
 mod finding;
 mod held;
 mod histogram;
@@ -21,6 +22,7 @@ mod resolution;
 mod row;
 mod sentence;
 mod stamps;
+mod straight;
 mod velocity;
 mod wrap;
 
@@ -44,7 +46,7 @@ use stamps::Stamps;
 use wrap::Wrap;
 
 /// Largest number of findings of a flight.
-pub const MAX_FINDINGS: usize = 31;
+pub const MAX_FINDINGS: usize = 32;
 
 /// Cosine of the pitch below which the angles of the attitude say nothing about its noise.
 const NEAR_ZENITH: f64 = 0.2;

@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Write};
 
-use super::finding::{Clue, Finding, Kind, RADIANS};
+use super::finding::{Clue, Finding, Kind, MIRRORED, RADIANS};
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -98,6 +98,13 @@ impl fmt::Display for Finding {
             (Kind::VerticalUnit, clue) => {
                 write!(f, "the climb is {figure} times the velocity up")?;
                 known(f, &clue)
+            }
+            (Kind::AttitudeTurned, clue) => {
+                let name = if let Clue::Known(name) = clue { name } else { "attitude" };
+                write!(f, "{name} is {degrees} deg in straight flight (are its axes turned?)")
+            }
+            (Kind::HeadingUnit, Clue::Known(MIRRORED)) => {
+                write!(f, "heading and roll turn, and the track does not follow ({MIRRORED}?)")
             }
             (Kind::HeadingUnit, clue) => {
                 f.write_str("heading turns against the track")?;

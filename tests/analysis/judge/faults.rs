@@ -501,6 +501,41 @@ fn times_and_rolls_in_another_unit_are_found_by_the_turns() {
     }
 }
 
+/// Axes of the attitude that are turned: the roll is 90° or 180°, or the pitch 90°, in straight flight.
+#[test]
+fn attitudes_with_turned_axes_are_found() {
+    for (roll, pitch) in [(90.0, 0.0), (180.0, 0.0), (-90.0, 0.0), (0.0, 80.0)] {
+        let turned = |samples: &[FlightSample]| {
+            each(samples, |_, sample| {
+                sample.euler.roll += roll * DEG;
+                sample.euler.pitch += pitch * DEG;
+            })
+        };
+        let mut unseen = missed(&[Kind::AttitudeTurned], Level::Doubtful, 10.0, turned);
+        unseen.retain(|name| !name.contains("aerobatics"));
+        assert_eq!(unseen, NONE, "{roll} {pitch}");
+    }
+}
+
+/// Latitude and longitude exchanged, or without a sign: heading and roll turn, and the track does not follow.
+#[test]
+fn mirrored_paths_are_found_by_heading_and_roll() {
+    let mirrors: [fn(&mut FlightSample); 3] = [
+        |sample| {
+            let place = &mut sample.place;
+            (place.latitude_rad, place.longitude_rad) = (0.5 * place.longitude_rad, 0.5 * place.latitude_rad);
+        },
+        |sample| sample.place.latitude_rad *= -1.0,
+        |sample| sample.place.longitude_rad *= -1.0,
+    ];
+    for mirror in mirrors {
+        let other = |samples: &[FlightSample]| each(&without_velocities(samples), |_, sample| mirror(sample));
+        let mut unseen = missed(&[Kind::HeadingUnit], Level::Unusable, 10.0, other);
+        unseen.retain(|name| !name.contains("aerobatics") && name != "airliner_cruise");
+        assert_eq!(unseen, NONE);
+    }
+}
+
 /// A pitch in radians beside a heading in degrees.
 #[test]
 fn a_pitch_in_radians_is_found() {

@@ -265,7 +265,10 @@ fn what_is_wrong_in_a_description_is_named() {
             "imu.time and imu.gyro_x: both read the column t",
         ),
         (good.replace("time = \"t\"\n", ""), "imu.time: expected the column of the times"),
-        (good.replace("\"t\"", "{ col = \"t\", unit = \"h\" }"), "imu.time.unit: expected s, ms, us, ns"),
+        (
+            good.replace("\"t\"", "{ col = \"t\", unit = \"week\" }"),
+            "imu.time.unit: expected s, ms, us, ns, min, h, d",
+        ),
         (
             good.replace("\"t\"", "{ col = \"t\", file = \"a\" }"),
             "imu.time.file: each file has its own times",
