@@ -212,7 +212,8 @@ impl Judge {
             if largest.value < MANOEUVRE_M_S2 {
                 return;
             }
-            let level = if largest.value > JOLT_M_S2 { Level::Doubtful } else { Level::Note };
+            // A smooth path touches no ground.
+            let level = if self.is_path || largest.value > JOLT_M_S2 { Level::Doubtful } else { Level::Note };
             (level, largest, Clue::None)
         };
         let own = Finding::new(Kind::Acceleration, level, largest.value);

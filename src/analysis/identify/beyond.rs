@@ -49,7 +49,7 @@ pub(super) fn check_beyond(fitted: &Fitted) -> Result<Option<f64>, Error> {
         weights += weight;
         gyros_s += weight * found[CLOCK];
         sensed += (0..3).map(|k| found[k] * found[k]).sum::<f64>();
-        square += (0..3).map(|k| (found[k] / sigmas[k]).powi(2)).sum::<f64>();
+        square += (0..3).map(|k| found[k] / sigmas[k]).map(|beside| beside * beside).sum::<f64>();
     }
     let late_s = if weights > 0.0 { gyros_s / weights } else { 0.0 } - common[CLOCK];
     if late_s.abs() > SHOWN * hypot(sigmas[CLOCK], weights.sqrt().recip()) {

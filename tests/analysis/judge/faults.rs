@@ -404,6 +404,8 @@ fn constant_errors_of_headings_are_found() {
     }
 }
 
+type Change = fn(f64) -> f64;
+
 /// The same of a flight that turns by 22° only: large constant errors, and headings of another unit or sign.
 #[test]
 fn headings_of_little_turns_are_judged() {
@@ -422,7 +424,7 @@ fn headings_of_little_turns_are_judged() {
             assert_eq!(found.level, Level::Doubtful, "{found}");
             assert!((found.figure / DEG - error_deg).abs() < 13.0, "{error_deg}: {found}");
         }
-        let changes: [(&str, fn(f64) -> f64); 4] = [
+        let changes: [(&str, Change); 4] = [
             ("opposite sign", |heading| -heading),
             ("degrees taken for radians", |heading| heading / DEG),
             ("radians taken for degrees?", |heading| heading * DEG),
