@@ -91,11 +91,6 @@ pub enum Kind {
     AttitudeTurned = 31,
 }
 
-/// Noise and steps of positions [m], and jumps [m/s²], that no smoothing repairs: they are those of several vehicles, or of lost digits.
-const NOISE_M: f64 = 50.0;
-const STEP_M: f64 = 150.0;
-const JUMP_M_S2: f64 = 150.0;
-
 /// What a path is whose attitude turns otherwise.
 pub(super) const MIRRORED: &str = "latitude and longitude are exchanged, or one has lost its sign";
 
@@ -202,8 +197,12 @@ impl Finding {
         is_of_velocities && self.level == Level::Unusable && !is_explained
     }
 
-    /// Whether positions are so coarse, noisy or broken that a path through them is none of a vehicle.
+    /// Whether positions have so much noise [m], such steps [m] or jumps [m/s²] that no smoothing repairs them: those of several vehicles,
+    /// or of lost digits.
     fn is_gross(&self) -> bool {
+        const NOISE_M: f64 = 50.0;
+        const STEP_M: f64 = 150.0;
+        const JUMP_M_S2: f64 = 150.0;
         let limit = match self.kind {
             Kind::NoisyPositions => NOISE_M,
             Kind::CoarsePositions => STEP_M,

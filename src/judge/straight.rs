@@ -7,14 +7,15 @@ use crate::base::units::DEG;
 /// Blocks that a judgement needs.
 const LEAST: f64 = 12.0;
 
-/// Bank and angle of the path of straight flight, and how constant and how large a roll, or a pitch above the path, is there that no vehicle keeps \[rad\].
+/// Bank and angle of the path of straight flight, and how constant and how large a roll, or a pitch above the path, is there that no
+/// vehicle keeps \[rad\].
 const STRAIGHT: f64 = 5.0 * DEG;
 const STEEP: f64 = 45.0 * DEG;
 const CONSTANT: f64 = 0.97;
 const FAR: f64 = 60.0 * DEG;
 
-/// Turns of the heading in all \[rad\], how well the roll is the bank that they need, least deviation of that bank \[rad\], and the share of
-/// the turns that a mirrored track makes at most.
+/// Turns of the heading in all \[rad\], how well the roll is the bank that they need, least deviation of that bank \[rad\], and the share
+/// of the turns that a mirrored track makes at most.
 const TURNED: f64 = 120.0 * DEG;
 const FOLLOWS: f64 = 0.9;
 const AS_FAR: core::ops::Range<f64> = 0.5..2.0;
