@@ -16,6 +16,10 @@ const ACCELERATION_LEVELS: [f64; 3] = [1.0, 2.0, 50.0];
 const MANOEUVRE_M_S2: f64 = 150.0;
 const JOLT_M_S2: f64 = 500.0;
 
+/// Noise that is none of a receiver [m], and as a share of the way of a row.
+const GROSS_M: f64 = 50.0;
+const GROSS: f64 = 0.6;
+
 /// Share of the moving rows that may be held.
 const HELD_SHARE: f64 = 0.005;
 
@@ -169,8 +173,12 @@ impl Judge {
             found.add(Finding { acceleration_m_s2: self.flown(per_metre * coarse.0), clue, ..own });
         }
         if let Some(level) = self.of_positions(per_metre * noisy).filter(|_| !is_explained) {
+            // Stamps of whole seconds make less.
+            let is_gross = noisy > GROSS_M.max(GROSS * self.positions.speed_m_s() * usual_s);
+            let clue =
+                if is_gross { Clue::Known("the rows are those of several vehicles") } else { Clue::None };
             let own = Finding::new(Kind::NoisyPositions, level, noisy);
-            found.add(Finding { acceleration_m_s2: self.flown(per_metre * noisy), ..own });
+            found.add(Finding { acceleration_m_s2: self.flown(per_metre * noisy), clue, ..own });
         }
         let step_m = self.resolution.horizontal_m() + steps_m[2];
         let spikes = self.positions.spikes(usual_s, step_m);

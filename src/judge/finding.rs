@@ -197,19 +197,15 @@ impl Finding {
         is_of_velocities && self.level == Level::Unusable && !is_explained
     }
 
-    /// Whether positions have so much noise [m], such steps [m] or jumps [m/s²] that no smoothing repairs them: those of several vehicles,
-    /// or of lost digits.
+    /// Whether positions have so much noise, or such steps [m], that no smoothing repairs them: those of several vehicles, or of lost
+    /// digits.
     fn is_gross(&self) -> bool {
-        const NOISE_M: f64 = 50.0;
         const STEP_M: f64 = 150.0;
-        const JUMP_M_S2: f64 = 150.0;
-        let limit = match self.kind {
-            Kind::NoisyPositions => NOISE_M,
-            Kind::CoarsePositions => STEP_M,
-            Kind::Acceleration => JUMP_M_S2,
-            _ => return false,
-        };
-        self.figure > limit
+        match self.kind {
+            Kind::NoisyPositions => self.clue != Clue::None,
+            Kind::CoarsePositions => self.figure > STEP_M,
+            _ => false,
+        }
     }
 
     /// It, found in the rows that a path was fitted to, at the sample `row` of the path: what the path does not have is a note, unless it

@@ -39,7 +39,10 @@ impl fmt::Display for Finding {
                 let word = if clue == Clue::Float32 { " (32-bit floats?)" } else { "" };
                 write!(f, "positions step by {figure} m{word}")
             }
-            (Kind::NoisyPositions, _) => write!(f, "positions have {figure} m of noise"),
+            (Kind::NoisyPositions, clue) => {
+                write!(f, "positions have {figure} m of noise")?;
+                known(f, &clue)
+            }
             (Kind::NoisyVelocities, _) => write!(f, "velocities have {figure} m/s of noise"),
             (Kind::NoisyAttitude, _) => write!(f, "attitude has {degrees} deg of noise"),
             (Kind::CoarseAttitude, _) => write!(f, "attitude steps by {degrees} deg"),

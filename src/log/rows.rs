@@ -261,6 +261,9 @@ fn is_of_fix(quantity: usize) -> bool {
 const STEEPEST: f64 = 90.5 * DEG;
 const BEGINS_AT_MOST: f64 = 10.0 * TAU;
 
+/// Largest step of such an angle \[rad\]: a turn, as over north, with noise.
+const STEPS_AT_MOST: f64 = 1.25 * TAU;
+
 /// What stands in a cell without a value.
 const NOTHING: [&str; 10] = ["", "nan", "-nan", "na", "n/a", "#n/a", "null", "none", "-", "--"];
 
@@ -314,14 +317,14 @@ fn out_of_range(error: &Error, line: u64, columns: &Columns) -> LogError {
     fault(line, column.place.map_or(1, |place| place + 1), sentence)
 }
 
-/// Checks that angles are those of an attitude: roll and heading may go on beyond a turn, and no row jumps by more than one.
+/// Checks that angles are those of an attitude: roll and heading may go on beyond a turn, and no row jumps much farther.
 fn check_angles(now: &Euler, before: Option<&Euler>) -> Result<(), Error> {
     check_range("sample.pitch_rad", now.pitch, -STEEPEST, STEEPEST)?;
     for (field, of) in [
         ("sample.roll_rad", (|euler| euler.roll) as fn(&Euler) -> f64),
         ("sample.heading_rad", |euler| euler.heading),
     ] {
-        let most = if before.is_some() { TAU } else { BEGINS_AT_MOST };
+        let most = if before.is_some() { STEPS_AT_MOST } else { BEGINS_AT_MOST };
         if (of(now) - before.map_or(0.0, of)).abs() > most {
             check_range(field, of(now), -TAU, TAU)?;
         }
@@ -350,6 +353,7 @@ mod tests {
         };
         let turning = |k: usize| [400.0 + 90.0 * k as f64, 0.0, 720.0 - 200.0 * k as f64];
         assert!(read("", &turning).is_ok());
+        assert!(read("", &|k| [0.0, 0.0, if k % 2 == 0 { -0.4 } else { 360.3 }]).is_ok());
         for (column, mark) in [(5, -9999.0), (5, 999.9), (6, -9999.0), (6, 90.6), (7, 32767.0), (7, -999.0)] {
             let cell =
                 |k: usize| core::array::from_fn(|of| if k == 20 && of + 5 == column { mark } else { 3.0 });
