@@ -229,7 +229,7 @@ typedef enum sins_finding_kind {
     SINS_FINDING_VELOCITY_AT_TIMES = 14,
     /** Velocity up that is a multiple of the climb; figure: climb over velocity up [1]. */
     SINS_FINDING_VERTICAL_UNIT = 15,
-    /** Heading with another sign or unit; figure: how well it follows the track as it is, 0 to 1. */
+    /** Heading with another sign or unit, or a path that is mirrored against it; figure: how well it follows the track as it is, 0 to 1. */
     SINS_FINDING_HEADING_UNIT = 16,
     /** Heading off the track by a constant angle; figure: the angle [rad]. */
     SINS_FINDING_HEADING_OFF_TRACK = 17,

@@ -8,9 +8,9 @@ use crate::earth::Earth;
 /// Height above which nothing carries a vehicle \[m\].
 const AIR_M: f64 = 100e3;
 
-/// Least time between the heights that are compared, and most \[s\].
+/// Least time between two of the three heights that are compared, and most between the first and the last \[s\].
 const BETWEEN_S: f64 = 30.0;
-const AT_MOST_S: f64 = 90.0;
+const AT_MOST_S: f64 = 180.0;
 
 /// Speed against the ground below which a vehicle is in no orbit, and no upper stage \[m/s\].
 const SLOW_M_S: f64 = 1000.0;
@@ -44,7 +44,7 @@ impl AboveAir {
             return;
         }
         if let [Some(newer), Some(older)] =
-            [newer, older].map(|past| past.filter(|&past| since_s(past) < 2.0 * AT_MOST_S))
+            [newer, older].map(|past| past.filter(|&past| since_s(past) < AT_MOST_S))
         {
             let (second_s, whole_s) = (since_s(newer), since_s(older));
             let first_s = whole_s - second_s;

@@ -374,7 +374,7 @@ impl Attitudes {
     /// Mean angle of the heading off the track [rad], and how constant it is, 0 to 1.
     fn off_track(&self) -> (f64, f64) {
         let sum = &self.headings[0];
-        (atan2(sum.sine, sum.cosine), sum.length() / self.count)
+        (sum.angle().unwrap_or(0.0), sum.length() / self.count)
     }
 
     /// Slope of the roll on the bank that the turns need, if it is wrong, and what explains it.

@@ -5,8 +5,8 @@ use crate::base::math::{atan2, hypot, sin_cos};
 /// A sum of unit vectors in the plane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Direction {
-    pub cosine: f64,
-    pub sine: f64,
+    cosine: f64,
+    sine: f64,
 }
 
 impl Direction {

@@ -57,7 +57,7 @@ pub enum Kind {
     VelocityAtTimes = 14,
     /// Velocity up that is a multiple of the climb; figure: climb over velocity up [1].
     VerticalUnit = 15,
-    /// Heading with another sign or unit; figure: how well it follows the track as it is, 0 to 1.
+    /// Heading with another sign or unit, or a path that is mirrored against it; figure: how well it follows the track as it is, 0 to 1.
     HeadingUnit = 16,
     /// Heading off the track by a constant angle; figure: the angle [rad].
     HeadingOffTrack = 17,

@@ -206,6 +206,9 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
         {
             "; --cutoff HZ compares only the motion below HZ: `sins log` states the frequency above which a smoothed path has lost it".to_owned()
         }
+        ("record.lever_arm_m", _) if !order.check => {
+            "; mounting.lever_arm_m of the path's scene moves the path to the sensors".to_owned()
+        }
         ("request.shift_s", _) => " (--shift)".to_owned(),
         ("request.axes", _) => " (--axes)".to_owned(),
         (_, value) => value.and_then(unit).unwrap_or_default(),
