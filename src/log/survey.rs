@@ -160,6 +160,13 @@ impl Draft<'_> {
         self.keys.retain(|(known, _)| *known != key);
     }
 
+    /// Takes back what was said of the unit of a quantity that is not read.
+    fn forget_unit(&mut self, key: &str) {
+        let Some(place) = self.place(key) else { return };
+        let taken = format!("{} is taken as ", excerpt(&self.grid.names[place]));
+        self.doubts.retain(|doubt| !doubt.starts_with(&taken));
+    }
+
     fn ask(&mut self, question: Question) {
         self.questions.push(question);
     }
@@ -297,12 +304,7 @@ impl Draft<'_> {
                 continue;
             }
             self.keys.retain(|(key, _)| !found.contains(key));
-            // What is not read has no unit.
-            for key in &found {
-                let Some(place) = self.place(key) else { continue };
-                let taken = format!("{} is taken as ", excerpt(&self.grid.names[place]));
-                self.doubts.retain(|doubt| !doubt.starts_with(&taken));
-            }
+            found.iter().for_each(|key| self.forget_unit(key));
             let why = if is_second {
                 "east, north and up are the velocity".to_owned()
             } else {

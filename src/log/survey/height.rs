@@ -49,7 +49,7 @@ impl Draft<'_> {
             answers.push(format!("height = {}  # an orbit", self.column(place, ", unit = \"m\"")));
         }
         self.remove("height");
-        self.doubts.retain(|doubt| !doubt.starts_with(&format!("{name} is taken as ")));
+        self.forget_unit("height");
         self.ask(Question { sentence, answers });
     }
 

@@ -54,6 +54,7 @@ impl Draft<'_> {
                 .collect();
             let name = excerpt(&self.grid.names[place]);
             self.remove(key);
+            self.forget_unit(key);
             self.ask(Question {
                 sentence: format!("{name} is in {cell}, which is not understood: what is its unit?"),
                 answers,
@@ -76,7 +77,10 @@ impl Draft<'_> {
                 self.is_attitude_asked = true;
             }
             let name = excerpt(&self.grid.names[place]);
-            group.iter().for_each(|key| self.remove(key));
+            for key in group {
+                self.remove(key);
+                self.forget_unit(key);
+            }
             self.ask(Question {
                 sentence: format!("{name} is in {cell}, which is not understood: how is it read?"),
                 answers,
