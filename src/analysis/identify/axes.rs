@@ -16,12 +16,14 @@ pub(super) const SAME: f64 = 0.9;
 /// The least part of the correlation that the noise of the record leaves.
 const OF_POSSIBLE: f64 = 0.7;
 /// Sizes of the signals of the record over those of the path that are possible.
-const SIZES: (f64, f64) = (0.7, 1.4);
+pub(super) const SIZES: (f64, f64) = (0.7, 1.4);
 /// An exchange is excluded by this chi-square, of a tenth of the blocks: neighbours depend on each other.
 const EXCLUDED: f64 = 50.0;
 const INDEPENDENT: f64 = 0.1;
 /// Signals are left-handed if the best exchange leaves this many times as much as the best one with a reflection.
 const MIRRORED: f64 = 2.0;
+/// Least trace of a rotation to the nearest exchange, which turns by 63 degrees at most.
+const NEAREST: f64 = 1.9;
 /// Change of a signal that is rounding and no motion, as a part of its mean.
 const ROUNDING: f64 = 1e-9;
 /// Tilt of a block that stands square, for the comparison of the mean forces \[rad\].
@@ -98,6 +100,14 @@ impl Sums {
         if size > 0.0 { self.along(axes) / size } else { 0.0 }
     }
 
+    /// The rotation that fits best.
+    fn rotation(&self) -> Matrix3<f64> {
+        let svd = self.cross.svd(true, true);
+        let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else { return Matrix3::identity() };
+        let last = (u.determinant() * v_t.determinant()).signum();
+        u * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, last)) * v_t
+    }
+
     /// Size of the record over that of the path.
     fn size(&self, axes: &Matrix3<f64>) -> f64 {
         self.along(axes) / self.ideal
@@ -114,8 +124,7 @@ impl Sums {
 
     /// The exchange that fits best.
     fn best(&self) -> Matrix3<f64> {
-        let order = |a: &Matrix3<f64>, b: &Matrix3<f64>| self.along(a).total_cmp(&self.along(b));
-        Axes::exchanges().max_by(order).unwrap_or_else(Matrix3::identity)
+        nearest(&self.cross)
     }
 
     /// Chi-square of an exchange: the rest over the least one, `least`.
@@ -172,7 +181,14 @@ pub(super) fn find(
     check_number(pairs.len(), blocks)?;
     let (gyro, accel) = (Sums::new(&pairs, 0), Sums::new(&pairs, 1));
     // Units first: the rates correlate in any unit.
-    let turned = given.copied().unwrap_or_else(|| gyro.best());
+    let best = given.copied().unwrap_or_else(|| gyro.best());
+    let rotation = gyro.rotation();
+    let nearest = given.copied().unwrap_or_else(|| nearest(&rotation));
+    // A block that is mounted far from each exchange: only rates that are certain tell its rotation.
+    let is_turned = gyro.correlation(&best) <= SAME
+        && gyro.correlation(&rotation) > SAME
+        && rotation.component_mul(&nearest).sum() > NEAREST;
+    let turned = if is_turned { rotation } else { best };
     let correlation = gyro.correlation(&turned);
     gyro.check_hand("record.angle")?;
     if correlation > SAME {
@@ -216,16 +232,15 @@ pub(super) fn find(
     let chi_square = |axes: &Matrix3<f64>| of(&gyro, axes) + of(&accel, axes) + mean(axes);
     // The rates alone say which exchanges are possible; forces that oppose the path in all of them are reversed.
     let turns_as_well = |axes: &Matrix3<f64>| of(&gyro, axes) < of(&gyro, &turned) + EXCLUDED;
+    let could_be = || Axes::exchanges().filter(turns_as_well).chain(is_turned.then_some(rotation));
     let opposes = |axes: Matrix3<f64>| accel.means.0.dot(&(axes * accel.means.1)) < -0.5 * recorded * ideal;
     let is_large = ideal > LARGE_MEAN * bias;
-    if correlation > SAME && is_large && Axes::exchanges().filter(turns_as_well).all(opposes) {
+    if correlation > SAME && is_large && could_be().all(opposes) {
         let rule = Rule::Sentence("along the forces of the path: the specific forces have the opposite sign");
         return Err(Error::invalid("record.velocity", -recorded, rule));
     }
     // Where the mean force is small, the changes of the forces tell that all three are reversed.
-    let is_reversed = |mirrored: Matrix3<f64>| {
-        correlation > SAME && Axes::exchanges().filter(turns_as_well).all(|axes| axes == -mirrored)
-    };
+    let is_reversed = |mirrored: Matrix3<f64>| correlation > SAME && could_be().all(|axes| axes == -mirrored);
     if let Some(mirrored) = accel.left_handed().filter(|mirrored| is_reversed(*mirrored)) {
         let rule = Rule::Sentence(
             "correlation with the forces of the path: the specific forces have the opposite sign",
@@ -236,6 +251,9 @@ pub(super) fn find(
     if let Some(exchange) = given {
         return Ok(Match { axes: Axes { exchange: *exchange, is_seen: true }, is_moving });
     }
+    if is_turned {
+        return Ok(Match { axes: Axes { exchange: nearest, is_seen: true }, is_moving });
+    }
     let order = |a: &Matrix3<f64>, b: &Matrix3<f64>| chi_square(a).total_cmp(&chi_square(b));
     let exchange = Axes::exchanges().min_by(order).unwrap_or_else(Matrix3::identity);
     let excluded = chi_square(&exchange) + EXCLUDED;
@@ -244,6 +262,12 @@ pub(super) fn find(
     let identity = Matrix3::identity();
     let exchange = if possible(&identity) { identity } else { exchange };
     Ok(Match { axes: Axes { exchange, is_seen }, is_moving })
+}
+
+/// The exchange nearest to a rotation, or along sums of products best.
+fn nearest(turned: &Matrix3<f64>) -> Matrix3<f64> {
+    let trace = |axes: &Matrix3<f64>| axes.component_mul(turned).sum();
+    Axes::exchanges().max_by(|a, b| trace(a).total_cmp(&trace(b))).unwrap_or_else(Matrix3::identity)
 }
 
 fn check_size(field: &'static str, size: f64, why: &'static str) -> Result<(), Error> {

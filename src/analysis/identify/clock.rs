@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use nalgebra::Matrix3;
 
+use super::axes::SIZES;
 use super::blocks::Block;
 use super::path::{IdealPath, Six};
 use crate::base::error::{Error, Rule};
@@ -12,10 +13,14 @@ use crate::base::memory::{filled, room};
 /// Largest number of cells of the record and of the path, and the shortest cell [s].
 const MOST_CELLS: f64 = 2500.0;
 const SHORTEST_S: f64 = 0.2;
-/// A shift whose score is this part of the best one fits as well.
+/// A shift that fits as well has at least this part of the best score.
 const AS_WELL: f64 = 0.9;
 /// The peak of a shift ends where the score falls below this part.
 const PEAK: f64 = 0.5;
+/// A part of the record, of 2, that no shift explains by chance.
+const MUCH: f64 = 0.5;
+/// What rounding leaves of a sum of squares less that of its mean.
+const ROUNDING: f64 = 1e-12;
 /// Part of a cell between the shifts that are tried in the second round, the largest step between them [s], and most steps to each side.
 const FINE: f64 = 0.125;
 const FINE_S: f64 = 0.25;
@@ -41,26 +46,88 @@ pub(super) struct Found {
     pub other: Option<Shift>,
 }
 
-/// Σ m(t) u(t + shift)ᵀ of the gyros and of the accelerometers.
-pub(super) type Cross = [Matrix3<f64>; 2];
+/// Sums over cells that record and path have in common: m of the record, u of the path.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sums {
+    count: f64,
+    recorded: Six,
+    ideal: Six,
+    /// Σ m uᵀ, Σ|m|² and Σ|u|² of the gyros and of the accelerometers.
+    cross: [Matrix3<f64>; 2],
+    squares: [(f64, f64); 2],
+}
 
-/// The search of the shift at which the signals of the record and of the path belong together. The score of a shift is
-/// ```text
-/// Σ |C|² / (Σ|m|² Σ|u|²),   C = Σ m(t) u(t + shift)ᵀ
-/// ```
-/// over the gyros and over the accelerometers, with m of the record and u of the path, each less its mean. The Frobenius norm |C| does not
-/// depend on the axes of the record, and the means not on its biases.
+impl Default for Sums {
+    fn default() -> Self {
+        let (six, cross) = (Six::zeros(), [Matrix3::zeros(); 2]);
+        Self { count: 0.0, recorded: six, ideal: six, cross, squares: [(0.0, 0.0); 2] }
+    }
+}
+
+impl Sums {
+    fn add(&mut self, m: &Six, u: &Six) {
+        self.count += 1.0;
+        self.recorded += m;
+        self.ideal += u;
+        for part in 0..2 {
+            let [m, u] = [m, u].map(|signal| signal.fixed_rows::<3>(3 * part));
+            self.cross[part] += m * u.transpose();
+            self.squares[part].0 += m.norm_squared();
+            self.squares[part].1 += u.norm_squared();
+        }
+    }
+
+    pub fn plus(mut self, other: &Self) -> Self {
+        self.count += other.count;
+        self.recorded += other.recorded;
+        self.ideal += other.ideal;
+        for part in 0..2 {
+            self.cross[part] += other.cross[part];
+            self.squares[part].0 += other.squares[part].0;
+            self.squares[part].1 += other.squares[part].1;
+        }
+        self
+    }
+
+    /// The part of the signals of the record, each less its mean, that those of the path explain with the best rotation, reflections
+    /// too, and the best factor within `factors`, of gyros and accelerometers together: 0 to 2. With C = Σ m uᵀ, whose singular values
+    /// have the sum c, it is
+    /// ```text
+    /// (2 s c - s² Σ|u|²) / Σ|m|²
+    /// ```
+    pub fn explained(&self, factors: (f64, f64)) -> f64 {
+        let of = |part: usize| {
+            let [m, u] = [&self.recorded, &self.ideal].map(|sum| sum.fixed_rows::<3>(3 * part) / self.count);
+            let recorded = self.squares[part].0 - self.count * m.norm_squared();
+            let ideal = self.squares[part].1 - self.count * u.norm_squared();
+            let is_rounding = |left: f64, of: f64| left <= ROUNDING * of;
+            if is_rounding(recorded, self.squares[part].0) || is_rounding(ideal, self.squares[part].1) {
+                return 0.0;
+            }
+            let cross = self.cross[part] - m * u.transpose() * self.count;
+            let along = cross.singular_values().sum();
+            let factor = (along / ideal).clamp(factors.0, factors.1);
+            ((2.0 * along - factor * ideal) * factor / recorded).max(0.0)
+        };
+        if self.count > 1.0 { of(0) + of(1) } else { 0.0 }
+    }
+}
+
+/// The search of the shift at which the signals of the record and of the path belong together. The score of a shift is the part of the
+/// record that the path explains there ([`Sums::explained`]), times the square of the part that both have in common of the shorter one.
+/// Rotation and means leave out axes and biases. Of a record of the right units, a piece of the path of another size explains nothing;
+/// other units are for others to reject, so that sizes do not count where no shift explains much.
 pub(super) struct Search {
-    /// Weight and mean of the cells of the record and of the path; weight 0: a cell without a signal.
+    /// Weight and mean of the cells of the record and of the path, less the mean of all; weight 0: a cell without a signal.
     pub recorded: Box<[(f64, Six)]>,
     pub ideal: Box<[(f64, Six)]>,
-    pub size: [f64; 2],
     /// First times [s] of the record and of the path, and length of a cell [s].
     pub first_s: f64,
     begin_s: f64,
     pub cell_s: f64,
+    factors: (f64, f64),
     /// Sums of each part of the record at shift k - (cells of the record - 1), in cells.
-    of_lag: Vec<[Cross; PARTS]>,
+    of_lag: Vec<[Sums; PARTS]>,
 }
 
 impl Search {
@@ -98,23 +165,28 @@ impl Search {
                 *cell = (1.0, mean);
             }
         }
-        let (sizes, of_path) = (center(&mut recorded), center(&mut ideal));
-        let size = [0, 1].map(|part| sizes[part] * of_path[part]);
+        center(&mut recorded);
+        center(&mut ideal);
         let shifts = recorded.len() + ideal.len() - 1;
         let of_lag = room(shifts)?;
-        let mut search = Self { recorded, ideal, size, first_s, begin_s, cell_s, of_lag };
+        let mut search = Self { recorded, ideal, first_s, begin_s, cell_s, factors: SIZES, of_lag };
         for lag in 0..shifts {
-            let of_parts = core::array::from_fn(|part| search.crossed(lag, part));
+            let of_parts = core::array::from_fn(|part| search.in_common(lag, part));
             search.of_lag.push(of_parts);
+        }
+        if search.score(search.best(&(0..PARTS)), 0..PARTS) < MUCH {
+            search.factors = (0.0, f64::INFINITY);
         }
         Ok(search)
     }
 
-    fn crossed(&self, lag: usize, part: usize) -> Cross {
-        let mut sums = [Matrix3::zeros(); 2];
+    fn in_common(&self, lag: usize, part: usize) -> Sums {
+        let mut sums = Sums::default();
         for cell in self.first_cell(part)..self.first_cell(part + 1) {
-            if let Some(place) = self.place(cell, lag) {
-                add(&mut sums, &self.recorded[cell].1, &self.ideal[place].1);
+            let Some(place) = self.place(cell, lag) else { continue };
+            let (m, u) = (&self.recorded[cell], &self.ideal[place]);
+            if m.0 > 0.0 && u.0 > 0.0 {
+                sums.add(&m.1, &u.1);
             }
         }
         sums
@@ -133,13 +205,19 @@ impl Search {
         self.begin_s - self.first_s + (lag as f64 - (self.recorded.len() as f64 - 1.0)) * self.cell_s
     }
 
-    pub fn sum(&self, lag: usize, parts: Range<usize>) -> Cross {
-        let parts = &self.of_lag[lag][parts];
-        parts.iter().fold(Default::default(), |sum: Cross, of| [sum[0] + of[0], sum[1] + of[1]])
+    pub fn sum(&self, lag: usize, parts: Range<usize>) -> Sums {
+        self.of_lag[lag][parts].iter().fold(Sums::default(), Sums::plus)
+    }
+
+    /// What the path explains at these sums of some parts of the record, less for what it has not in common with it.
+    pub fn score_of(&self, sums: &Sums, parts: Range<usize>) -> f64 {
+        let cells = self.first_cell(parts.end) - self.first_cell(parts.start);
+        let common = sums.count / cells.min(self.ideal.len()).max(1) as f64;
+        common * common * sums.explained(self.factors)
     }
 
     fn score(&self, lag: usize, parts: Range<usize>) -> f64 {
-        score(&self.sum(lag, parts), &self.size)
+        self.score_of(&self.sum(lag, parts.clone()), parts)
     }
 
     /// The best shift of some parts.
@@ -169,9 +247,10 @@ impl Search {
         };
         let near = (0..shifts)
             .filter(is_near)
-            .filter(|&lag| scores[lag] >= AS_WELL * scores[top])
+            .filter(|&lag| scores[lag] >= as_well(&scores, top))
             .min_by(|&a, &b| off_s(a).total_cmp(&off_s(b)));
-        let best = self.summit(&scores, near.unwrap_or(top));
+        let is_open = |lag: &usize| known_s.is_none() || is_near(lag);
+        let best = summit(&scores, near.unwrap_or(top), is_open);
         let ends = |step: isize| {
             let mut end = best as isize;
             while (0..shifts as isize).contains(&end) && scores[end as usize] > PEAK * scores[best] {
@@ -182,60 +261,55 @@ impl Search {
         let (low, high) = (ends(-1), ends(1));
         let other = (0..shifts)
             .filter(|&k| (k as isize) < low || (k as isize) > high)
-            .filter(|&k| scores[k] >= AS_WELL * scores[best] && near.is_none())
+            .filter(|&k| scores[k] >= as_well(&scores, best) && near.is_none())
             .max_by(|&a, &b| scores[a].total_cmp(&scores[b]));
         let other = other.map(shift);
-        let best = refine(path, blocks, shift(best), self.cell_s)?;
+        let best = refine(path, blocks, shift(best), self.cell_s);
         Ok(Found { best, other })
     }
+}
 
-    /// The top of the peak on whose side `lag` is.
-    fn summit(&self, scores: &[f64], mut lag: usize) -> usize {
-        loop {
-            let beside = [lag.wrapping_sub(1), lag + 1].into_iter().filter(|lag| *lag < scores.len());
-            match beside.max_by(|a, b| scores[*a].total_cmp(&scores[*b])) {
-                Some(higher) if scores[higher] > scores[lag] => lag = higher,
-                _ => return lag,
-            }
+/// The score of a shift that fits as well as the best one, which is known to a cell.
+fn as_well(scores: &[f64], best: usize) -> f64 {
+    let beside = [best.saturating_sub(1), best + 1].map(|lag| scores.get(lag).copied().unwrap_or(0.0));
+    beside[0].min(beside[1]).max(AS_WELL * scores[best])
+}
+
+/// The top of the peak on whose side `lag` is, over shifts that are open.
+fn summit(scores: &[f64], mut lag: usize, is_open: impl Fn(&usize) -> bool) -> usize {
+    loop {
+        let beside =
+            [lag.wrapping_sub(1), lag + 1].into_iter().filter(|lag| *lag < scores.len() && is_open(lag));
+        match beside.max_by(|a, b| scores[*a].total_cmp(&scores[*b])) {
+            Some(higher) if scores[higher] > scores[lag] => lag = higher,
+            _ => return lag,
         }
     }
 }
 
 /// The best shift within a cell around `coarse`, by the blocks themselves.
-pub(super) fn refine(path: &IdealPath, blocks: &[Block], coarse: Shift, cell_s: f64) -> Result<Shift, Error> {
+pub(super) fn refine(path: &IdealPath, blocks: &[Block], coarse: Shift, cell_s: f64) -> Shift {
     let mut best = Shift { score: 0.0, ..coarse };
-    let mut pairs: Vec<(Six, Six)> = room(blocks.len())?;
     let step_s = (FINE * cell_s).min(FINE_S).max(1.5 * cell_s / MOST_STEPS);
     let steps = (1.5 * cell_s / step_s).round() as i32;
     for step in -steps..=steps {
         let offset_s = coarse.offset_s + f64::from(step) * step_s;
-        pairs.clear();
-        let mean = |block: &Block| path.mean(block.start_s + offset_s, block.end_s + offset_s);
-        pairs.extend(blocks.iter().filter_map(|block| Some((block.mean, mean(block)?.0))));
-        let count = pairs.len().max(1) as f64;
-        let (recorded, ideal) =
-            pairs.iter().fold((Six::zeros(), Six::zeros()), |a, b| (a.0 + b.0, a.1 + b.1));
-        let mut size = [0.0; 2];
-        for (m, u) in &mut pairs {
-            *m -= recorded / count;
-            *u -= ideal / count;
+        let mut sums = Sums::default();
+        for block in blocks {
+            if let Some((ideal, _)) = path.mean(block.start_s + offset_s, block.end_s + offset_s) {
+                sums.add(&block.mean, &ideal);
+            }
         }
-        for (part, size) in size.iter_mut().enumerate() {
-            *size = squares(pairs.iter().map(|pair| &pair.0), part)
-                * squares(pairs.iter().map(|pair| &pair.1), part);
-        }
-        let mut sums = [Matrix3::zeros(); 2];
-        pairs.iter().for_each(|(m, u)| add(&mut sums, m, u));
-        let score = score(&sums, &size);
+        let score = sums.explained((0.0, f64::INFINITY));
         if score > best.score {
             best = Shift { offset_s, score };
         }
     }
-    Ok(best)
+    best
 }
 
-/// Subtracts the mean of the cells with a value; the others become 0. Returns the sums of squares of gyros and accelerometers.
-fn center(cells: &mut [(f64, Six)]) -> [f64; 2] {
+/// Subtracts the mean of the cells with a value; the others become 0.
+fn center(cells: &mut [(f64, Six)]) {
     let (count, sum) = cells
         .iter()
         .filter(|cell| cell.0 > 0.0)
@@ -243,20 +317,4 @@ fn center(cells: &mut [(f64, Six)]) -> [f64; 2] {
     for (weight, mean) in cells.iter_mut() {
         *mean = if *weight > 0.0 { *mean - sum / count } else { Six::zeros() };
     }
-    [0, 1].map(|part| squares(cells.iter().map(|cell| &cell.1), part))
-}
-
-fn squares<'a>(signals: impl Iterator<Item = &'a Six>, part: usize) -> f64 {
-    signals.map(|signal| signal.fixed_rows::<3>(3 * part).norm_squared()).sum()
-}
-
-fn add(sums: &mut Cross, m: &Six, u: &Six) {
-    for (part, sum) in sums.iter_mut().enumerate() {
-        *sum += m.fixed_rows::<3>(3 * part) * u.fixed_rows::<3>(3 * part).transpose();
-    }
-}
-
-pub(super) fn score(sums: &Cross, size: &[f64; 2]) -> f64 {
-    let of = |part: usize| if size[part] > 0.0 { sums[part].norm_squared() / size[part] } else { 0.0 };
-    of(0) + of(1)
 }

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::axes::{Axes, SAME};
 use super::blocks::Block;
-use super::clock::{PARTS, Search, Shift, refine, score};
+use super::clock::{PARTS, Search, Shift, refine};
 use super::jump::Jump;
 use super::path::{IdealPath, Six};
 use crate::base::error::Error;
@@ -23,27 +23,33 @@ pub(super) fn large(search: &Search, path: &IdealPath, blocks: &[Block]) -> Resu
     }
     let both = |(split, lags): &(usize, [usize; 2])| {
         let (before, behind) = (search.sum(lags[0], 0..*split), search.sum(lags[1], *split..PARTS));
-        score(&[before[0] + behind[0], before[1] + behind[1]], &search.size)
+        search.score_of(&before.plus(&behind), 0..PARTS)
     };
     let splits = (1..PARTS).map(|split| (split, [search.best(&(0..split)), search.best(&(split..PARTS))]));
     let Some((split, lags)) = splits.max_by(|a, b| both(a).total_cmp(&both(b))) else { return Ok(None) };
     let border = search.first_cell(split);
-    let one = correlation(search, [search.best(&(0..PARTS)); 2], border);
-    let two = correlation(search, lags, border);
-    let (left_of_one, left_of_two) = (1.0 - one * one, 1.0 - two * two);
+    let (one, of_one) = correlation(search, [search.best(&(0..PARTS)); 2], border);
+    let (two, of_two) = correlation(search, lags, border);
+    // A shift that fits where it brings the record outside the path leaves much, if time goes on along the path at two.
+    let has_signal = |cell: &usize| search.recorded[*cell].0 > 0.0;
+    let last = (0..border).rev().find(has_signal).map(|cell| cell + lags[0]);
+    let next = (border..search.recorded.len()).find(has_signal).map(|cell| cell + lags[1]);
+    let in_common = if next >= last { (of_one / of_two).min(1.0) } else { 1.0 };
+    let (left_of_one, left_of_two) = (1.0 - one * one * in_common, 1.0 - two * two);
     if two < SAME || left_of_one < MUCH || left_of_two > OF_ONE * left_of_one {
         return Ok(None);
     }
     let border_s = search.first_s + border as f64 * search.cell_s;
     let behind = blocks.partition_point(|block| block.middle_s() < border_s);
     let shifts = lags.map(|lag| Shift { offset_s: search.offset_s(lag), score: 0.0 });
-    let before = refine(path, &blocks[..behind], shifts[0], search.cell_s)?;
-    let after = refine(path, &blocks[behind..], shifts[1], search.cell_s)?;
+    let before = refine(path, &blocks[..behind], shifts[0], search.cell_s);
+    let after = refine(path, &blocks[behind..], shifts[1], search.cell_s);
     Ok(Some(Jump { behind, change_s: after.offset_s - before.offset_s }))
 }
 
-/// Correlation of the rates, in the best exchange of axes, at one shift before the cell `border` and another one behind it.
-fn correlation(search: &Search, lags: [usize; 2], border: usize) -> f64 {
+/// Correlation of the rates, in the best exchange of axes, at one shift before the cell `border` and another one behind it, and the number
+/// of cells of which it is.
+fn correlation(search: &Search, lags: [usize; 2], border: usize) -> (f64, f64) {
     let rates = |cell: &(f64, Six)| cell.1.fixed_rows::<3>(0).into_owned();
     let pairs = || {
         (0..search.recorded.len()).filter_map(|cell| {
@@ -63,5 +69,5 @@ fn correlation(search: &Search, lags: [usize; 2], border: usize) -> f64 {
     }
     let along = Axes::exchanges().map(|axes| axes.component_mul(&cross).sum()).fold(0.0, f64::max);
     let size = (squares[0] * squares[1]).sqrt();
-    if size > 0.0 { along / size } else { 0.0 }
+    (if size > 0.0 { along / size } else { 0.0 }, count)
 }

@@ -243,6 +243,7 @@ pub mod tests {
             is_counted: false,
             is_still: false,
             times_s: Vec::new(),
+            lengths_s: Vec::new(),
             taken: None,
         }
     }

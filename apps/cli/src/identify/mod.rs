@@ -8,6 +8,7 @@ mod command;
 mod diagram;
 mod document;
 mod json;
+mod limits;
 mod record;
 mod residual;
 mod scene;

@@ -7,6 +7,7 @@ use sins::scene::Scene;
 use sins::signal::Increment;
 
 use super::command::Order;
+use super::limits::drop_limited;
 use crate::failure::Failure;
 use crate::imu::{Log, Sensor, Source, imu_of_file, imu_of_scene, reversed};
 
@@ -68,7 +69,7 @@ impl SensorRecord {
         let sign = if order.reversed { -1.0 } else { 1.0 };
         let row = |k: usize| RecordedIncrement {
             time_s: log.times_s[k],
-            interval_s: log.interval_s,
+            interval_s: log.lengths_s.get(k).copied().unwrap_or(log.interval_s),
             increment: Increment {
                 angle: Vector3::new(gx.increments[k], gy.increments[k], gz.increments[k]),
                 velocity: Vector3::new(ax.increments[k], ay.increments[k], az.increments[k]) * sign,
@@ -81,12 +82,14 @@ impl SensorRecord {
         let rows = increments.len();
         increments.retain(|row| row.increment != Increment::ZERO);
         let zeros = rows - increments.len();
+        let limited = drop_limited(&mut increments);
         let counted = log.counted();
         let mapping = log.taken.map(|taken| if order.reversed { reversed(*taken) } else { *taken });
         let Log { name, interval_s, mut remarks, .. } = log;
         if zeros > 0 {
             remarks.push(format!("{zeros} of {rows} rows, in which all sensors are 0, are left out"));
         }
+        remarks.extend(limited);
         let is_described = source.mapping.is_some();
         Ok(Self { name, interval_s, counted, columns, increments, remarks, is_described, mapping })
     }

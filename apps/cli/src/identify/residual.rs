@@ -49,6 +49,7 @@ impl Residual {
             is_counted: false,
             is_still: true,
             times_s: self.times_s,
+            lengths_s: Vec::new(),
             taken: None,
         }
     }

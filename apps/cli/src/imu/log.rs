@@ -9,8 +9,8 @@ use sins::log::LogMapping;
 use sins_allan::FEWEST_SAMPLES;
 
 use super::quantity::Sensor;
-use super::rows::{Read as Column, Rows, Source};
-use super::stamps::{self, Stamps};
+use super::rows::{Read as Column, Rows, Source, keep};
+use super::stamps::{self, EVEN, Stamps};
 use crate::failure::Failure;
 use crate::given::open_table;
 use crate::progress::Progress;
@@ -19,8 +19,10 @@ use crate::units::{significant, time_text};
 /// Longest step of stamps, in lengths of the rest of the record.
 const JUMP: f64 = 1e6;
 
-/// Scatter of the stamps, as a part of the interval, that is worth a remark.
+/// Scatter of the stamps, as a part of the interval, beyond which they say nothing of single rows.
 const SCATTER: f64 = 0.5;
+/// Scatter that is worth a remark: digits of the stamps are not.
+const REMARKED: f64 = 0.25;
 
 /// A column.
 pub struct Series {
@@ -46,6 +48,8 @@ pub struct Log {
     pub is_still: bool,
     /// End of the interval of each row [s], by its own stamp unless stamps scatter.
     pub times_s: Vec<f64>,
+    /// Lengths of the intervals of uneven rows [s]; of others nothing.
+    pub lengths_s: Vec<f64>,
     /// The `[imu]` that reads such a record in the same way; `None`: it has more than three columns of a sensor.
     pub taken: Option<Box<LogMapping>>,
 }
@@ -74,16 +78,21 @@ impl Log {
             let what = format!("expected at least {FEWEST_SAMPLES} rows, found {}", rows.count);
             return Err(Failure::of_file(path, &what));
         }
+        let repeats = if source.rate_hz.is_none() { rows.drop_repeats() } else { 0 };
         let is_counted = source.rate_hz.is_some() && rows.has_stamps;
         let time = rows.time.take();
         let (stamps, all_s) = stamps(source, &rows, time)?;
-        let times_s = times(&stamps, all_s);
+        let (times_s, is_spaced) = times(&stamps, all_s);
         let interval_s = stamps.interval_s;
+        let lengths_s = lengths(&stamps, &times_s);
         let series = rows.columns.into_iter().map(|column| {
             let Column { name, quantity, scale, add, numbers: mut increments } = column;
             let over_s = if quantity.is_increment { 1.0 } else { interval_s };
             let unit = scale * (quantity.si * over_s);
             keep(&mut increments, &stamps.pieces);
+            if stamps.is_uneven {
+                between(&mut increments, &stamps.pieces, |row| lengths_s[row] / interval_s);
+            }
             increments.iter_mut().for_each(|value| *value *= unit);
             // Without an addition a value keeps its bits, also -0.
             if add != 0.0 {
@@ -96,13 +105,29 @@ impl Log {
             _ => "standard input".to_owned(),
         };
         let series = series.collect();
-        let (pieces, mut remarks) = (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps));
+        let (pieces, mut remarks) =
+            (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps, is_spaced));
+        if repeats > 0 {
+            remarks.push(format!("{repeats} rows that repeat the one before are left out"));
+        }
         if let Some((count, line)) = rows.left_out {
             let rows = if count == 1 { "row without a value is" } else { "rows without a value are" };
             remarks.push(format!("{count} {rows} left out, the first in line {line}"));
         }
         let taken = rows.taken;
-        Ok(Self { name, interval_s, series, pieces, remarks, is_counted, is_still: false, times_s, taken })
+        let is_still = false;
+        Ok(Self {
+            name,
+            interval_s,
+            series,
+            pieces,
+            remarks,
+            is_counted,
+            is_still,
+            times_s,
+            lengths_s,
+            taken,
+        })
     }
 
     /// What is said of the rate.
@@ -140,8 +165,8 @@ fn begin(path: &Path, failure: Failure) -> Failure {
 }
 
 /// Sentences about the stamps.
-fn remarks(stamps: &Stamps) -> Vec<String> {
-    let Stamps { interval_s, rows, gaps, pieces, lost, jitter } = stamps;
+fn remarks(stamps: &Stamps, is_spaced: bool) -> Vec<String> {
+    let Stamps { interval_s, rows, gaps, pieces, lost, jitter, is_uneven, .. } = stamps;
     let mut remarks = Vec::new();
     if *gaps > 0 {
         let (used, pieces) = (stamps.used(), pieces.len());
@@ -150,7 +175,12 @@ fn remarks(stamps: &Stamps) -> Vec<String> {
         let (name, lost_s) = (if *gaps == 1 { "gap" } else { "gaps" }, time_text(*lost as f64 * *interval_s));
         remarks.push(format!("{gaps} {name}, {lost_s} in all: {pieces} pieces{of_them} are joined"));
     }
-    if *jitter > SCATTER {
+    if *is_uneven {
+        let jitter = significant(*jitter);
+        remarks.push(format!(
+            "rows are at uneven times, up to {jitter} of the mean interval from it: between two rows the signals are taken as straight lines"
+        ));
+    } else if is_spaced && *jitter > REMARKED {
         let jitter = significant(*jitter);
         remarks.push(format!(
             "stamps scatter by up to {jitter} of an interval: rows are taken as equally spaced"
@@ -159,30 +189,56 @@ fn remarks(stamps: &Stamps) -> Vec<String> {
     remarks
 }
 
-/// Times of the rows of the pieces. Where stamps scatter by half an interval and more, rows are equally spaced about the mean of the stamps
-/// of their piece.
-fn times(stamps: &Stamps, mut times_s: Vec<f64>) -> Vec<f64> {
+/// Times of the rows of the pieces, and whether rows are equally spaced about the mean of the stamps of their piece: where stamps scatter
+/// by half an interval and more, and where they scatter less and are within an interval of such times.
+fn times(stamps: &Stamps, mut times_s: Vec<f64>) -> (Vec<f64>, bool) {
     let interval_s = stamps.interval_s;
-    if stamps.jitter > SCATTER {
+    let mut is_spaced = false;
+    if stamps.jitter > EVEN && !stamps.is_uneven {
         for piece in &stamps.pieces {
             let rows = &mut times_s[piece.clone()];
             let count = rows.len() as f64;
             let middle_s = rows.iter().sum::<f64>() / count - 0.5 * (count - 1.0) * interval_s;
-            rows.iter_mut().enumerate().for_each(|(row, time)| *time = middle_s + row as f64 * interval_s);
+            let spaced = |row: usize| middle_s + row as f64 * interval_s;
+            let is_near = |(row, time_s): (usize, &f64)| (time_s - spaced(row)).abs() < interval_s;
+            if stamps.jitter > SCATTER || rows.iter().enumerate().all(is_near) {
+                rows.iter_mut().enumerate().for_each(|(row, time_s)| *time_s = spaced(row));
+                is_spaced = true;
+            }
         }
     }
     keep(&mut times_s, &stamps.pieces);
-    times_s
+    (times_s, is_spaced)
 }
 
-/// Keeps the rows of these pieces.
-fn keep(values: &mut Vec<f64>, pieces: &[Range<usize>]) {
-    let mut to = 0;
-    for piece in pieces {
-        values.copy_within(piece.clone(), to);
-        to += piece.len();
+/// Lengths of the intervals of the rows of the pieces: of uneven ones from the row before.
+fn lengths(stamps: &Stamps, times_s: &[f64]) -> Vec<f64> {
+    if !stamps.is_uneven {
+        return Vec::new();
     }
-    values.truncate(to);
+    let first = std::iter::once(stamps.interval_s);
+    let of_piece =
+        |piece: Range<usize>| first.clone().chain(times_s[piece].windows(2).map(|pair| pair[1] - pair[0]));
+    joined(&stamps.pieces).flat_map(of_piece).collect()
+}
+
+/// Where the pieces are when only their rows are kept.
+fn joined(pieces: &[Range<usize>]) -> impl Iterator<Item = Range<usize>> + '_ {
+    let mut to = 0;
+    pieces.iter().map(move |piece| {
+        to += piece.len();
+        to - piece.len()..to
+    })
+}
+
+/// Makes of values at the ends of intervals means over them, on straight lines between the rows of a piece, times `length` of a row.
+fn between(values: &mut [f64], pieces: &[Range<usize>], length: impl Fn(usize) -> f64) {
+    for piece in joined(pieces) {
+        for row in (piece.start..piece.end).rev() {
+            let before = values[row.saturating_sub(1).max(piece.start)];
+            values[row] = 0.5 * (before + values[row]) * length(row);
+        }
+    }
 }
 
 /// The equal intervals of rows that are counted, or those of the stamps; rejects stamps that go back.
@@ -215,7 +271,11 @@ fn stamps(
         return Err(Failure::of_file(path, &format!("column {name}: all stamps are the same{counts}")));
     }
     check_jump(path, rows, &name, &times_s, counts)?;
-    let found = stamps::read(&times_s);
+    let mut found = stamps::read(&times_s);
+    // An increment is that of its interval, however late its stamp is.
+    if rows.columns.iter().all(|column| !column.quantity.is_increment) {
+        found = found.uneven(&times_s).unwrap_or(found);
+    }
     let longest = found.pieces.iter().map(Range::len).max().unwrap_or(0);
     if longest < FEWEST_SAMPLES {
         let rate = significant(1.0 / found.interval_s);
@@ -305,6 +365,25 @@ mod tests {
                 assert_eq!(failure.contains("--rate"), read(Some(10.0)).is_ok(), "{hole:?}: {failure}");
             }
         }
+    }
+
+    /// Rows that a recorder wrote twice are left out, and lines are still those of the file.
+    #[test]
+    fn rows_that_are_written_twice_count_once() {
+        let text = |back: u32| {
+            let row = |k: u32| format!("{:.2},{k}\n", 0.01 * f64::from(if k == back { 0 } else { k }));
+            let twice = |k: u32| if k % 30 == 7 { row(k).repeat(2) } else { row(k) };
+            format!("time_s,a_g\n{}", (0..90).map(twice).collect::<String>())
+        };
+        let read = |text: String| Log::from_input(&source(None), text.as_bytes());
+        let log = read(text(900)).map_err(|failure| failure.to_string()).unwrap();
+        assert_eq!(
+            (log.count(), log.pieces, log.remarks),
+            (90, vec![90], vec!["3 rows that repeat the one before are left out".to_owned()])
+        );
+        let back = read(text(60)).err().unwrap().to_string();
+        // The header, 60 rows and two repeats are before it.
+        assert!(back.starts_with("log.csv:64: column time_s: expected a stamp of 0.59"), "{back}");
     }
 
     #[test]

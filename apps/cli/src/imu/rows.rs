@@ -1,6 +1,7 @@
 //! The rows of a record: with columns that their names say, or those of `[imu]`.
 
 use std::io::Read as Input;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use sins::log::{Clock, IMU_QUANTITIES, ImuColumn, ImuTable, LogMapping, TimeFormat};
@@ -18,6 +19,9 @@ pub const MOST_ROWS: usize = 100_000_000;
 
 /// Names of columns that tell several sensors apart, as in the messages of ArduPilot.
 const INSTANCES: [&str; 3] = ["i", "instance", "imu_instance"];
+
+/// One of this many rows may repeat the one before, and be left out.
+const FEW_REPEATS: usize = 10;
 
 /// Part of an interval by which the stamps of two files may differ.
 const APART: f64 = 0.1;
@@ -57,6 +61,16 @@ pub struct Read {
     pub numbers: Vec<f64>,
 }
 
+/// Keeps the values of these rows.
+pub fn keep(values: &mut Vec<f64>, rows: &[Range<usize>]) {
+    let mut to = 0;
+    for rows in rows {
+        values.copy_within(rows.clone(), to);
+        to += rows.len();
+    }
+    values.truncate(to);
+}
+
 /// The rows of a record.
 pub struct Rows {
     pub columns: Vec<Read>,
@@ -82,6 +96,31 @@ pub struct Unread {
 }
 
 impl Rows {
+    /// Leaves out rows that repeat the one before with stamp and all values: recorders write some twice. Their number. Where other rows
+    /// have the stamp of the one before, stamps come in batches, in which held values may be the same.
+    pub fn drop_repeats(&mut self) -> usize {
+        let Some((_, times_s)) = &mut self.time else { return 0 };
+        let is_same = |row: usize| times_s[row] == times_s[row - 1];
+        let repeats = |row: usize| self.columns.iter().all(|one| one.numbers[row] == one.numbers[row - 1]);
+        let dropped: Vec<usize> = (1..times_s.len()).filter(|row| is_same(*row)).collect();
+        if dropped.is_empty()
+            || dropped.len() > times_s.len() / FEW_REPEATS
+            || !dropped.iter().all(|row| repeats(*row))
+        {
+            return 0;
+        }
+        let ends = dropped.iter().copied().chain([times_s.len()]);
+        let mut begin = 0;
+        let pieces: Vec<Range<usize>> = ends.map(|end| std::mem::replace(&mut begin, end + 1)..end).collect();
+        keep(times_s, &pieces);
+        self.columns.iter_mut().for_each(|column| keep(&mut column.numbers, &pieces));
+        self.count -= dropped.len();
+        let line = std::mem::replace(&mut self.line, Box::new(|_| 0));
+        let lost: Vec<usize> = dropped.iter().enumerate().map(|(before, row)| row - before).collect();
+        self.line = Box::new(move |row| line(row + lost.partition_point(|first| *first <= row)));
+        dropped.len()
+    }
+
     pub fn read(source: &Source<'_>, input: impl Input) -> Result<Self, Unread> {
         match source.mapping {
             Some(mapping) => Self::of_mapping(source, mapping, input),

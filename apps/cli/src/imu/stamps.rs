@@ -14,8 +14,21 @@ const FEW: usize = 5;
 /// Largest number of gaps, as a part of the rows: more of them are stamps that come in batches, each as late as the last row of its batch.
 const MOST_GAPS: f64 = 0.1;
 
+/// Rows of mean steps.
+const MEANS: usize = 30;
+
+/// Times as many rows, over which stamps that wander are off by this number of times as much as over the rows of mean steps: by four
+/// times, and stamps that scatter by as much. Fewest lengths of these rows in a record, and longest step, in intervals, that is no gap.
+const MANY: usize = 16;
+const WANDERS: f64 = 2.0;
+const FEWEST_WINDOWS: usize = 4;
+const LONG_UNEVEN: f64 = 20.0;
+/// Long steps within this part of an interval from a whole number of them, and the part of such steps from which on rows are lost.
+const WHOLE: f64 = 0.25;
+const MOST_WHOLE: f64 = 0.75;
+
 /// Stamps whose steps are whole numbers of intervals to this part of one do not scatter: each long step of them is a gap.
-const EVEN: f64 = 0.1;
+pub const EVEN: f64 = 0.1;
 /// Longest step that is compared with whole numbers of intervals, which are known less well than a long gap.
 const LONGEST_EVEN: f64 = 100.0;
 
@@ -42,6 +55,10 @@ pub struct Stamps {
     pub pieces: Vec<Range<usize>>,
     /// Intervals that are missing between the pieces.
     pub lost: usize,
+    /// The rows before gaps, and intervals that are missing behind each.
+    lost_before: Vec<(usize, usize)>,
+    /// Whether rows are at the times of their stamps, and not at equal intervals.
+    pub is_uneven: bool,
     /// Largest difference between a step within a piece and the interval, as a part of the interval.
     pub jitter: f64,
 }
@@ -49,7 +66,61 @@ pub struct Stamps {
 impl Stamps {
     /// Rows that are each the next sample.
     pub fn counted(rows: usize, interval_s: f64) -> Self {
-        Self { interval_s, rows, gaps: 0, pieces: std::iter::once(0..rows).collect(), lost: 0, jitter: 0.0 }
+        let pieces = std::iter::once(0..rows).collect();
+        Self {
+            interval_s,
+            rows,
+            gaps: 0,
+            pieces,
+            lost: 0,
+            lost_before: Vec::new(),
+            is_uneven: false,
+            jitter: 0.0,
+        }
+    }
+
+    /// Rows that a recorder takes when it comes to it, each some time behind the one before: over many rows the stamps leave equal
+    /// intervals by more and more, which stamps that are late do not. A step of many mean ones is a gap.
+    pub fn uneven(&self, times_s: &[f64]) -> Option<Self> {
+        // Rows that are lost leave steps of whole intervals.
+        let is_whole = |step: f64| (step - step.round()).abs() < WHOLE;
+        let long = || steps(times_s).map(|step| step / self.interval_s).filter(|step| *step > LONG);
+        let (count, whole) = (long().count(), long().filter(|step| is_whole(*step)).count());
+        if self.jitter < EVEN || (count > FEW && whole as f64 > MOST_WHOLE * count as f64) {
+            return None;
+        }
+        let of_many = |rows: usize| {
+            let steps = |k: usize| times_s.get(k + rows).map(|end_s| end_s - times_s[k]);
+            let mut over: Vec<f64> = (0..times_s.len()).map_while(steps).collect();
+            if over.len() < FEWEST_WINDOWS * rows {
+                return None;
+            }
+            let usual_s = median(&mut over);
+            over.iter_mut().for_each(|time_s| *time_s = (*time_s - usual_s).abs());
+            Some((usual_s, median(&mut over)))
+        };
+        let ((few_s, off_few), (_, off_many)) = (of_many(MEANS)?, of_many(MANY * MEANS)?);
+        let interval_s = few_s / MEANS as f64;
+        if off_many < WANDERS * off_few || off_few < EVEN * interval_s {
+            return None;
+        }
+        let is_gap = |step: &f64| *step > LONG_UNEVEN * interval_s;
+        let gaps = || steps(times_s).enumerate().filter(|(_, step)| is_gap(step));
+        let ends = gaps().map(|(row, _)| row + 1).chain([times_s.len()]);
+        let mut begin = 0;
+        let pieces: Vec<Range<usize>> = ends.map(|end| std::mem::replace(&mut begin, end)..end).collect();
+        let lost = gaps().map(|(_, step)| (step / interval_s) as usize).sum();
+        let jitter = steps(times_s).filter(|step| !is_gap(step)).map(|step| (step / interval_s - 1.0).abs());
+        let jitter = jitter.fold(0.0, f64::max);
+        let stamps = Self {
+            gaps: pieces.len() - 1,
+            pieces,
+            lost,
+            is_uneven: true,
+            jitter,
+            ..Self::counted(times_s.len(), interval_s)
+        };
+        Some(stamps.longest())
     }
 
     /// Rows of the pieces.
@@ -77,7 +148,8 @@ pub fn read(times_s: &[f64]) -> Stamps {
     if usual_s > SHORTEST * mean_s {
         let found = found(times_s, &whole, usual_s);
         if found.gaps as f64 <= MOST_GAPS * times_s.len() as f64 {
-            return found.longest();
+            let is_even = is_even(times_s, found.interval_s);
+            return if is_even { found } else { scattered(times_s, &whole, found) }.longest();
         }
     }
     // From the first row of a batch to that of the last: the end of a batch has the stamp of its begin.
@@ -99,14 +171,63 @@ fn steps(times_s: &[f64]) -> impl Iterator<Item = f64> {
     times_s.windows(2).map(|pair| pair[1] - pair[0])
 }
 
+/// The middle one of some values.
+fn median(values: &mut [f64]) -> f64 {
+    let middle = values.len() / 2;
+    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+}
+
 /// The mean step without gaps. Not the median: stamps with few digits have steps of two lengths, and the median is one of the two.
 fn usual(times_s: &[f64]) -> f64 {
     let mut some: Vec<f64> = steps(times_s).step_by(1 + times_s.len() / MOST_STEPS).collect();
-    let middle = some.len() / 2;
-    let median = *some.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let median = median(&mut some);
     let single = steps(times_s).filter(|step| *step < 1.75 * median);
     let (sum, count) = single.fold((0.0, 0_u32), |(sum, count), step| (sum + step, count + 1));
     if count == 0 { median } else { sum / f64::from(count) }
+}
+
+/// What stamps that scatter say, if their usual step says `by_step`. Stamps that are late by a random time have few steps far above the
+/// usual one, so that it is too short, and many of them count as gaps: the median of the mean steps over some rows is not. Of both the one
+/// whose rows are nearer to their stamps.
+fn scattered(times_s: &[f64], whole: &Range<usize>, by_step: Stamps) -> Stamps {
+    let mut means: Vec<f64> =
+        times_s.windows(MEANS + 1).map(|rows| (rows[MEANS] - rows[0]) / MEANS as f64).collect();
+    let mut best = by_step;
+    if !means.is_empty() {
+        let by_means = found(times_s, whole, median(&mut means));
+        if off(times_s, &by_means) < off(times_s, &best) {
+            best = by_means;
+        }
+    }
+    // The first and the last stamp scatter too: the interval is that of the line nearest to all.
+    let places = || places(times_s, &best);
+    let count = times_s.len() as f64;
+    let (middle, middle_s) =
+        places().zip(times_s).fold((0.0, 0.0), |sum, (k, t)| (sum.0 + k / count, sum.1 + t / count));
+    let (along, square) = places()
+        .zip(times_s)
+        .map(|(k, t)| (k - middle, t - middle_s))
+        .fold((0.0, 0.0), |sum, (k, t)| (sum.0 + k * t, sum.1 + k * k));
+    Stamps { interval_s: along / square, ..best }
+}
+
+/// The numbers of the intervals at whose ends the rows are.
+fn places<'a>(times_s: &'a [f64], stamps: &'a Stamps) -> impl Iterator<Item = f64> + 'a {
+    let mut lost = stamps.lost_before.iter().peekable();
+    let mut sum = 0;
+    (0..times_s.len()).map(move |row| {
+        while let Some((_, of_gap)) = lost.next_if(|gap| gap.0 < row) {
+            sum += of_gap;
+        }
+        (row + sum) as f64
+    })
+}
+
+/// Mean distance of the stamps from equal intervals over some rows, in intervals.
+fn off(times_s: &[f64], stamps: &Stamps) -> f64 {
+    let places: Vec<f64> = places(times_s, stamps).collect();
+    let off = |(t, k): (&[f64], &[f64])| ((t[MEANS] - t[0]) / stamps.interval_s - (k[MEANS] - k[0])).abs();
+    times_s.windows(MEANS + 1).zip(places.windows(MEANS + 1)).map(off).sum::<f64>() / times_s.len() as f64
 }
 
 /// The interval such that rows and gaps fill the time from the first of these rows to the last.
@@ -130,7 +251,16 @@ fn found(times_s: &[f64], rows: &Range<usize>, begin_s: f64) -> Stamps {
     let off = |(row, step): (usize, f64)| if is_gap(row) { 0.0 } else { (step / interval_s - 1.0).abs() };
     let jitter = steps(times_s).enumerate().map(off).fold(0.0, f64::max);
     let lost = gaps.iter().map(|(_, lost)| lost).sum();
-    Stamps { interval_s, rows: times_s.len(), gaps: gaps.len(), pieces, lost, jitter }
+    Stamps {
+        interval_s,
+        rows: times_s.len(),
+        gaps: gaps.len(),
+        pieces,
+        lost,
+        lost_before: gaps,
+        is_uneven: false,
+        jitter,
+    }
 }
 
 /// Whether the steps are whole numbers of intervals, and most of them one.
@@ -190,6 +320,13 @@ mod tests {
         (k * 7919 % 97) as f64 / 97.0
     }
 
+    /// A number from 0 to 1 that does not hang on those before.
+    fn random(k: usize) -> f64 {
+        let mixed = (k as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        (mixed >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
     /// Of stamps that do not scatter, single rows that are lost near to each other are gaps too, and no row is moved.
     #[test]
     fn single_rows_are_missed_where_stamps_do_not_scatter() {
@@ -224,6 +361,51 @@ mod tests {
             );
             assert!(lossy.lost.abs_diff(401) <= 1, "{lossy:?}");
             assert!((lossy.interval_s / 0.01 - 1.0).abs() < 2e-3, "{}", lossy.interval_s);
+        }
+    }
+
+    /// Rows of an uneven loop are told from late stamps and from lost rows.
+    #[test]
+    fn rows_of_an_uneven_loop_are_where_their_stamps_are() {
+        for spread in [0.3, 0.8, 1.5] {
+            let mut time_s = 0.0;
+            let mut times_s: Vec<f64> = (0..3000)
+                .map(|k| {
+                    time_s += 0.01 * (1.0 + spread * (random(k) - 0.5));
+                    time_s
+                })
+                .collect();
+            times_s[2000..].iter_mut().for_each(|time_s| *time_s += 5.0);
+            let found = read(&times_s).uneven(&times_s).unwrap();
+            assert!((found.interval_s / 0.01 - 1.0).abs() < 0.05, "{spread}: {found:?}");
+            assert_eq!(found.pieces, [0..2000, 2000..3000], "{spread}");
+        }
+        for late in [random, |k: usize| -0.3 * (1.0 - random(k)).ln(), |k: usize| (3 - k % 4) as f64] {
+            for lost in [|_: usize| false, |k: usize| (k * k) % 17 == 3] {
+                let times_s: Vec<f64> =
+                    (0..3000).filter(|k| !lost(*k)).map(|k| 0.01 * (k as f64 + 0.3 * late(k))).collect();
+                assert!(read(&times_s).uneven(&times_s).is_none());
+            }
+        }
+    }
+
+    /// A host that is late by a random time writes stamps whose usual step is shorter than the interval.
+    #[test]
+    fn stamps_that_are_late_by_a_random_time_have_no_gaps() {
+        for mean in [0.05, 0.2, 0.3] {
+            for (from, lost) in [(600, 0), (600, 100), (300, 1)] {
+                let rows = (0..2000).filter(|k| !(from..from + lost).contains(k));
+                let late = |k: usize| 0.01 * (k as f64 - mean * (1.0 - random(k)).ln());
+                // No row is written before the one in front of it.
+                let times_s = rows.scan(0.0, |last: &mut f64, k| {
+                    *last = late(k).max(*last + 1e-6);
+                    Some(*last)
+                });
+                let found = read(&times_s.collect::<Vec<f64>>());
+                assert!((found.interval_s / 0.01 - 1.0).abs() < 1e-4, "{mean}: {found:?}");
+                // The last row before a gap may be so late that it seems to be behind one of one row.
+                assert!(found.lost == lost && found.gaps <= 2 * lost.min(1), "{mean}: {found:?}");
+            }
         }
     }
 
