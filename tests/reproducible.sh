@@ -44,6 +44,10 @@ unpacked() {
     done
 }
 
+modes() {
+    (cd "$1" && find . -printf '%m %p\n' | LC_ALL=C sort -k2)
+}
+
 one=$first/target/dist other=$second/target/dist status=0
 diff <(cd "$one" && find . -type f | LC_ALL=C sort) <(cd "$other" && find . -type f | LC_ALL=C sort) ||
     { echo "the second build has other files" >&2; status=1; }
@@ -59,5 +63,6 @@ for file in "$one"/*; do
     unpacked "$file" "$work/one/$name"
     unpacked "$other/$name" "$work/other/$name"
     diff -rq "$work/one/$name" "$work/other/$name" >&2 || true
+    diff <(modes "$work/one/$name") <(modes "$work/other/$name") >&2 || true
 done
 exit $status

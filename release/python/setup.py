@@ -33,8 +33,10 @@ class Build(build_py):
     def run(self):
         bindings, library = built()
         folder = pathlib.Path(self.build_lib) / "sins"
-        shutil.copytree(bindings / "sins", folder, ignore=shutil.ignore_patterns("__pycache__"))
-        shutil.copy(library, folder)
+        # Without the modes of a checkout, which a wheel would have.
+        ignore = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(bindings / "sins", folder, ignore=ignore, copy_function=shutil.copyfile)
+        shutil.copyfile(library, folder / library.name)
 
 
 class Wheel(bdist_wheel):
@@ -48,7 +50,7 @@ class Wheel(bdist_wheel):
     def egg2dist(self, egginfo_path, distinfo_path):
         super().egg2dist(egginfo_path, distinfo_path)
         for name in ("LICENSE-MIT", "LICENSE-APACHE"):
-            shutil.copy(PROJECT / name, distinfo_path)
+            shutil.copyfile(PROJECT / name, pathlib.Path(distinfo_path) / name)
 
 
 class Binary(Distribution):
