@@ -26,6 +26,10 @@ const LEANS: f64 = -0.3;
 const TURN_WHILE_HELD: f64 = 10.0 * DEG;
 const TURN_WHILE_HEADING_HELD: f64 = 20.0 * DEG;
 
+/// The same of a roll alone, and how far it is from the bank of the turn \[rad\].
+const TURN_WHILE_ROLL_HELD: f64 = 20.0 * DEG;
+const OFF_WHILE_ROLL_HELD: f64 = 10.0 * DEG;
+
 /// Blocks of turns that a judgement of the roll needs: in aerobatics half a minute is flown inverted.
 const LEAST_OF_TURNS: f64 = 15.0;
 
@@ -131,13 +135,13 @@ pub(super) struct Attitudes {
     /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank, Σ roll².
     turns: [f64; 6],
     pub straight: Straight,
-    /// Roll on the bank that the turn needs.
+    /// Roll on the bank that the turn needs, where it does not stay the same.
     rolls: Regression,
     /// Pitch on the angle of the path, and that of the flight straight on.
     climb: Regression,
     straight_climb: Regression,
-    /// Held attitudes, and held headings.
-    held: [Stretches; 2],
+    /// Held attitudes, headings, and rolls.
+    held: [Stretches; 3],
     /// The two ends of blocks before, if they follow each other.
     banked: [Option<Banked>; 2],
     /// Roll less bank, on the rate of the bank, where that falls and where it grows: the slope is how late the roll is. A heading shows no
@@ -165,7 +169,7 @@ impl Attitudes {
             rolls: Regression::NONE,
             climb: Regression::NONE,
             straight_climb: Regression::NONE,
-            held: [Stretches::NONE; 2],
+            held: [Stretches::NONE; 3],
             banked: [None; 2],
             delays: [Regression::NONE; 2],
             delay_of_means: Regression::NONE,
@@ -212,12 +216,16 @@ impl Attitudes {
                 *sum += term;
             }
         }
-        if roll.abs().max(bank.abs()) < UPRIGHT {
+        let is_upright = roll.abs().max(bank.abs()) < UPRIGHT;
+        let is_roll_held = blocks.iter().all(|block| block.is_roll_held);
+        if is_upright && !is_roll_held {
             self.rolls.add(bank, roll);
         }
+        let is_roll_off = is_upright && (roll - bank).abs() > OFF_WHILE_ROLL_HELD;
         for (stretches, is_held, limit) in [
             (0, blocks.iter().all(|block| block.is_held), TURN_WHILE_HELD),
             (1, blocks.iter().all(|block| block.is_heading_held), TURN_WHILE_HEADING_HELD),
+            (2, is_roll_held && is_roll_off, TURN_WHILE_ROLL_HELD),
         ] {
             self.held[stretches].add(blocks[0], is_held, turn, limit);
         }
@@ -272,6 +280,13 @@ impl Attitudes {
     /// The same of the heading alone, of what banks as an aeroplane or is fast.
     pub fn heading_held(&self) -> Option<(Held, u64)> {
         self.held[1].found().filter(|_| self.is_aeroplane() || self.is_fast())
+    }
+
+    /// The same of the roll alone, if it is the bank of the turns elsewhere.
+    pub fn roll_held(&self) -> Option<(Held, u64)> {
+        let (_, slope, correlation) = self.rolls.figures();
+        let banks = self.rolls.count >= LEAST && correlation > BANKS && AS_FAR.contains(&slope);
+        self.held[2].found().filter(|_| banks)
     }
 
     fn is_fast(&self) -> bool {

@@ -35,6 +35,8 @@ pub(super) struct Block {
     pub is_held: bool,
     /// The same of its heading.
     pub is_heading_held: bool,
+    /// The same of its roll.
+    pub is_roll_held: bool,
 }
 
 impl Block {
@@ -54,6 +56,7 @@ impl Block {
             has_velocity: self.has_velocity && next.has_velocity,
             is_held: self.is_held && next.is_held,
             is_heading_held: self.is_heading_held && next.is_heading_held,
+            is_roll_held: self.is_roll_held && next.is_roll_held,
         }
     }
 
@@ -144,6 +147,7 @@ impl Blocks {
             has_velocity: products.is_some() && self.products.is_some(),
             is_held: self.last.is_some_and(|(_, euler)| euler == row.euler),
             is_heading_held: self.last.is_some_and(|(_, euler)| euler.heading == row.euler.heading),
+            is_roll_held: self.last.is_some_and(|(_, euler)| euler.roll == row.euler.roll),
         };
         let had_row = self.last.is_some();
         (self.products, self.up_m_s, self.last) = (products, up_m_s, Some((row.at, row.euler)));

@@ -3,6 +3,7 @@
 use super::attitude::PitchFault;
 use super::blocks::Level as BlockLevel;
 use super::finding::{Clue, Finding, Kind, Level, MIRRORED, RADIANS};
+use super::held::Held;
 use super::velocity::Wrong;
 use super::{Judge, MAX_FINDINGS};
 use crate::base::math::hypot;
@@ -364,10 +365,11 @@ impl Judge {
             let own = Finding::new(Kind::AttitudeTurned, Level::Doubtful, angle);
             found.add(Finding { clue: Clue::Known(name), ..own });
         }
-        let heading_held = attitudes.heading_held();
-        if let Some((held, count)) = attitudes.held().or(heading_held) {
+        let of = |held: Option<(Held, u64)>, name: &'static str| held.map(|held| (held, name));
+        let held = of(attitudes.held(), "attitude").or(of(attitudes.heading_held(), "heading"));
+        if let Some(((held, count), name)) = held.or(of(attitudes.roll_held(), "roll")) {
             let own = Finding::new(Kind::AttitudeHeld, Level::Doubtful, held.turn);
-            let clue = if attitudes.held().is_none() { Clue::Known("heading") } else { Clue::None };
+            let clue = Clue::Known(name);
             found.add(Finding { at: held.begin, count, clue, ..own });
         } else if let Some(delay_s) = attitudes.delay_s() {
             found.add(Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s));

@@ -73,7 +73,7 @@ pub enum Kind {
     AttackNegative = 22,
     /// Height in feet; figure: slope of pitch on the angle of the path [1].
     HeightUnit = 23,
-    /// Attitude, or heading, that stays the same to the last bit while the track turns; figure: the largest turn of the track then [rad].
+    /// Attitude, heading or roll that stays the same to the last bit while the track turns; figure: the largest turn of the track [rad].
     AttitudeHeld = 24,
     /// Attitude that follows the turns late; figure: the delay, negative if it is early [s].
     AttitudeLate = 25,

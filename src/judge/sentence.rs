@@ -167,7 +167,7 @@ impl fmt::Display for Finding {
                 Digits(self.figure / 1000.0)
             ),
             (Kind::AttitudeHeld, clue) => {
-                let what = if clue == Clue::None { "attitude" } else { "heading" };
+                let what = if let Clue::Known(name) = clue { name } else { "attitude" };
                 let turn = Digits((self.figure / crate::base::units::DEG).abs());
                 write!(f, "{what} stays the same from {at} s on, while the track turns by {turn} deg")?;
                 if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }

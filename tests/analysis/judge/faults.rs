@@ -387,6 +387,27 @@ fn headings_that_stay_the_same_are_found() {
     }
 }
 
+/// A column of rolls that is 0 for half of a minute, in which the vehicle turns farthest: the rest shows that it banks.
+#[test]
+fn rolls_that_are_lost_in_a_turn_are_found() {
+    for rate_hz in [10.0, 4.0, 1.0] {
+        let flight = flights::aeroplane_in_wind(rate_hz);
+        let length = (30.0 * rate_hz) as usize;
+        let samples = &flight.samples;
+        let turn = |k: usize| wrap_angle(samples[k + length].euler.heading - samples[k].euler.heading).abs();
+        let begin = (0..samples.len() - length).max_by(|a, b| turn(*a).total_cmp(&turn(*b))).unwrap();
+        let lost = each(samples, |k, sample| {
+            if (begin..begin + length).contains(&k) {
+                sample.euler.roll = 0.0;
+            }
+        });
+        let found = judged(&lost);
+        let own = found.iter().find(|finding| finding.kind == Kind::AttitudeHeld);
+        let own = own.unwrap_or_else(|| panic!("{rate_hz} Hz, {:.0} deg: {found:?}", turn(begin) / DEG));
+        assert!(own.level == Level::Doubtful && own.to_string().starts_with("roll stays the same"), "{own}");
+    }
+}
+
 /// A heading with a constant error, as a wander angle is, in flights of two to four minutes that turn, in the wind.
 #[test]
 fn constant_errors_of_headings_are_found() {
