@@ -248,6 +248,24 @@ fn the_course_of_a_slow_vehicle_is_its_heading() {
     }
 }
 
+/// A drone without an attitude that climbs and sinks over one place, faster than an aeroplane begins to bank, stays level.
+#[test]
+fn what_climbs_over_one_place_is_level() {
+    for climb in [5.0, 10.0, 18.0] {
+        let flight = vehicle("drone", 1.0, |t| {
+            let up = climb
+                * ((0.05 * (t - 100.0)).clamp(0.0, 3.0) - (0.05 * (t - 200.0)).clamp(0.0, 6.0)
+                    + (0.05 * (t - 400.0)).clamp(0.0, 3.0))
+                .clamp(-1.0, 1.0);
+            let forward = 3.0 * (0.02 * (t - 450.0)).clamp(0.0, 1.0);
+            (Vector3::new(0.0, forward, up), Euler { roll: 0.0, pitch: 0.0, heading: 0.0 })
+        });
+        let path = coordinated(&each(&flight.samples, |_, sample| sample.euler = Euler::default()));
+        let [tilt] = rms(&flight.samples, &path, |path, _| [path.euler.roll.hypot(path.euler.pitch)]);
+        assert!(tilt < 0.5 * DEG, "{climb} m/s: {} deg", tilt / DEG);
+    }
+}
+
 /// The velocity and the roll with which an INS starts are within three times of those within the path.
 #[test]
 fn the_start_is_as_good_as_the_middle() {

@@ -21,6 +21,9 @@ const EVERY_S: f64 = 0.1;
 /// Speed below which the vehicle is level, as ships, cars and hovering aircraft are; at twice that speed it banks as an aeroplane [m/s].
 const SLOW_M_S: f64 = 8.0;
 
+/// Climb below which what goes up steeply with less load than 1 g is a drone, a helicopter or a balloon, which stays level \[m/s\].
+const LIFTED_M_S: f64 = 20.0;
+
 /// Least horizontal speed of a heading [m/s], and in deviations of the velocity of the path: below it, the heading is that of the last
 /// motion.
 const LEAST_COURSE_M_S: f64 = 0.1;
@@ -101,11 +104,16 @@ pub(super) fn attitudes(
         if is_on_course {
             first_moving.get_or_insert((k, heading));
         }
+        let x = v / speed.max(f64::MIN_POSITIVE);
+        let lift = f - x * f.dot(&x);
+        let level = hypot(v.x, v.y);
+        let is_lifted = v.z.abs() > level && v.z.abs() < LIFTED_M_S && lift.norm_squared() < G * G;
+        let speed = if is_lifted { level } else { speed };
         if speed < SLOW_M_S {
             eulers.push(Euler { roll: 0.0, pitch: 0.0, heading });
             continue;
         }
-        let euler = euler_of(&(v / speed), &f, attack_rad).ok_or_else(|| {
+        let euler = euler_of(&x, &lift, attack_rad).ok_or_else(|| {
             let rule = Rule::Sentence(
                 "the path is inverted or nearly without load then, and a coordinated attitude is not defined: give the attitude",
             );
@@ -136,9 +144,9 @@ fn course(v: &Vector3<f64>) -> f64 {
     if angle < 0.0 { angle + 2.0 * PI } else { angle }
 }
 
-/// Attitude of a flight along the unit vector `x` with the specific force `f`, both east, north, up; `None`: it is not defined.
-fn euler_of(x: &Vector3<f64>, f: &Vector3<f64>, attack_rad: f64) -> Option<Euler> {
-    let lift = f - x * f.dot(x);
+/// Attitude of a flight along the unit vector `x` with the specific force `lift` across it, both east, north, up; `None`: it is not
+/// defined.
+fn euler_of(x: &Vector3<f64>, lift: &Vector3<f64>, attack_rad: f64) -> Option<Euler> {
     let load = lift.norm_squared().sqrt();
     let z = -lift / load;
     if load < LEAST_LOAD * G || z.z > 0.0 {
