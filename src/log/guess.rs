@@ -222,10 +222,10 @@ const NAMES: &[(&str, &[&str])] = &[
         &["climb", "vspd", "verticalspeed", "verticalrate", "vertrate", "climbrate", "vs", "rateofclimb"],
     ),
     ("variation", &["variation", "magvar", "magneticvariation", "declination"]),
-    ("q0", &["q0", "qw", "quatw", "quaternionw"]),
-    ("q1", &["q1", "qx", "quatx", "quaternionx"]),
-    ("q2", &["q2", "qy", "quaty", "quaterniony"]),
-    ("q3", &["q3", "qz", "quatz", "quaternionz"]),
+    ("q0", &["q0", "qw", "quatw", "quaternionw", "orientationw"]),
+    ("q1", &["q1", "qx", "quatx", "quaternionx", "orientationx"]),
+    ("q2", &["q2", "qy", "quaty", "quaterniony", "orientationy"]),
+    ("q3", &["q3", "qz", "quatz", "quaternionz", "orientationz"]),
     ("temperature", &["temperature", "temp", "oat", "imutemp"]),
 ];
 
@@ -237,7 +237,7 @@ const HEMISPHERES: [(usize, &[&str]); 2] = [
 const AFTER: [&str; 3] = ["indicator", "hemisphere", "ind"];
 
 /// Words before a quantity that do not change it.
-const BEFORE: [&str; 17] = [
+const BEFORE: [&str; 19] = [
     "gps",
     "gnss",
     "ins",
@@ -255,6 +255,8 @@ const BEFORE: [&str; 17] = [
     "truth",
     "ref",
     "aircraft",
+    "field",
+    "pose",
 ];
 
 /// What the column of a name has, if the name says it.
@@ -328,6 +330,8 @@ mod tests {
             ("VelDown_mms", "up", "mm/s", -1.0),
             ("INSAlt_mm", "height", "mm", 1.0),
             ("Alt[ft]", "height", "ft", 1.0),
+            ("field.pose.pose.orientation.w", "q0", "", 1.0),
+            ("Orientation X", "q1", "", 1.0),
             ("Altitude (ft MSL)", "height", "ft", 1.0),
             ("alt_ft_msl", "height", "ft", 1.0),
             ("GPS Altitude [ft, AMSL]", "height", "ft", 1.0),

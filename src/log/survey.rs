@@ -388,6 +388,8 @@ mod attitudes;
 #[cfg(test)]
 mod conventions;
 #[cfg(test)]
+mod heights;
+#[cfg(test)]
 mod nulls;
 #[cfg(test)]
 mod stamps;

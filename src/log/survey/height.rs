@@ -8,10 +8,14 @@ use crate::base::text::excerpt;
 /// The largest height of a flight \[m\].
 const HIGHEST_M: f64 = 1e5;
 
+/// Below it is no land, also where the ellipsoid is above the sea \[m\].
+const DEEPEST_M: f64 = 550.0;
+
 /// Words in the names of heights, and names of flight levels, which count hundreds of feet.
 const LIKE: [&str; 6] = ["alt", "height", "elev", "hgt", "höhe", "hoehe"];
 const LEVELS: [&str; 2] = ["fl", "flightlevel"];
 const LEVEL: (&str, f64) = (", scale = 30.48", 30.48);
+const HIGHEST_LEVEL: f64 = 660.0;
 
 /// Names of ADS-B, whose heights are in feet in most files.
 const OF_TRANSPONDERS: [&str; 2] = ["altgeom", "altbaro"];
@@ -30,12 +34,33 @@ impl Draft<'_> {
         let name = &self.grid.names[place];
         let is_of_transponder = OF_TRANSPONDERS.contains(&words(name).concat().as_str());
         let name = excerpt(name);
-        let highest = largest(&self.numbers("height").unwrap_or_default());
+        let numbers = self.numbers("height").unwrap_or_default();
+        let highest = largest(&numbers);
+        let is_below = numbers.iter().all(|height| *height < 0.0) && highest > DEEPEST_M;
+        let is_ground = name.to_lowercase().contains("elev");
+        let other = self.other_height(place).filter(|_| is_ground);
         let answer =
             |(unit, size): (&str, f64)| self.answer_of_height(place, &format!(", unit = \"{unit}\""), size);
         let (mut answers, sentence) = if is_of_transponder && !is_known && !is_stated && !is_in_feet {
             let answers = [("ft", 0.3048), ("m", 1.0)].map(answer).to_vec();
             (answers, format!("{name} is in feet in most tables: what is its unit?"))
+        } else if is_below {
+            let down = format!("height = {}  # it counts down", self.column(place, ", sign = -1"));
+            let up = format!("height = {}  # under water", self.column(place, ""));
+            (vec![down, up], format!("{name} is below any land, down to {highest:.0} below 0"))
+        } else if let Some(other) = other {
+            let of = |place: usize| self.answers_of(place);
+            let answers = [place, other].into_iter().flat_map(of).collect();
+            (
+                answers,
+                format!("{name} may be that of the ground, beside {}", excerpt(&self.grid.names[other])),
+            )
+        } else if !is_stated && !is_in_feet && !is_known && highest <= HIGHEST_M && self.is_of_pilots() {
+            let mut answers = [("ft", 0.3048), ("m", 1.0)].map(answer).to_vec();
+            if highest < HIGHEST_LEVEL {
+                answers.push(self.answer_of_height(place, LEVEL.0, LEVEL.1));
+            }
+            (answers, format!("{name} has no unit, and the table has units of pilots"))
         } else if !is_stated && highest > HIGHEST_M {
             let units = [("mm", 1e-3), ("cm", 1e-2), ("ft", 0.3048)];
             let is_flown = |(_, size): &(&str, f64)| highest * size <= HIGHEST_M;
@@ -53,17 +78,36 @@ impl Draft<'_> {
         self.ask(Question { sentence, answers });
     }
 
-    fn ask_for_height(&mut self) {
-        let grid = self.grid;
-        let read: Vec<usize> = self.places.iter().map(|found| found.place).collect();
-        let is_level = |name: &str| LEVELS.contains(&words(name).concat().as_str());
+    /// Columns whose names are like those of heights, and that are not read.
+    fn like_heights(&self) -> impl Iterator<Item = usize> + '_ {
         let is_like = |name: &str| {
             let lower = name.to_lowercase();
             is_level(name) || LIKE.iter().any(|word| lower.contains(word))
         };
-        let names = grid.names.iter().enumerate();
-        let like = names.filter(|(place, name)| is_like(name) && !read.contains(place));
-        let answers_of = |(place, name): (usize, &str)| match unit_in_name(name, Dimension::Length) {
+        let is_read = |place: usize| self.places.iter().any(|found| found.place == place);
+        let names = self.grid.names.iter().enumerate();
+        names.filter(move |(place, name)| is_like(name) && !is_read(*place)).map(|(place, _)| place)
+    }
+
+    /// A height beside the one that is read, of numbers.
+    fn other_height(&self, place: usize) -> Option<usize> {
+        let is_other = |other: &usize| {
+            let is_ground = self.grid.names[*other].to_lowercase().contains("elev");
+            *other != place && !is_ground && self.has_numbers(*other)
+        };
+        self.like_heights().find(is_other)
+    }
+
+    /// Whether a column of the table has knots or feet per minute.
+    fn is_of_pilots(&self) -> bool {
+        let unit = |name: &str| unit_in_name(name, Dimension::Speed);
+        self.grid.names.iter().any(|name| matches!(unit(name), Some("kt" | "ft/min")))
+    }
+
+    /// What a column would mean as the height.
+    fn answers_of(&self, place: usize) -> Vec<String> {
+        let name = &self.grid.names[place];
+        match unit_in_name(name, Dimension::Length) {
             _ if is_level(name) => vec![self.answer_of_height(place, LEVEL.0, LEVEL.1)],
             Some(unit) => {
                 let (_, size) = unit_of(Dimension::Length, unit).unwrap_or(("m", 1.0));
@@ -73,8 +117,12 @@ impl Draft<'_> {
                 self.answer_of_height(place, "", 1.0),
                 self.answer_of_height(place, ", unit = \"ft\"", 0.3048),
             ],
-        };
-        let mut answers: Vec<String> = like.take(MOST).flat_map(answers_of).collect();
+        }
+    }
+
+    fn ask_for_height(&mut self) {
+        let like = self.like_heights().take(MOST);
+        let mut answers: Vec<String> = like.flat_map(|place| self.answers_of(place)).collect();
         answers.push("height = 0  # all the way".to_owned());
         self.ask(Question { sentence: "no column is understood as the height".to_owned(), answers });
     }
@@ -85,4 +133,9 @@ impl Draft<'_> {
         let begins = first.map_or("no number".to_owned(), |first| format!("begins at {first:.1} m"));
         format!("height = {}  # {begins}", self.column(place, part))
     }
+}
+
+/// Whether a name is that of flight levels.
+fn is_level(name: &str) -> bool {
+    LEVELS.contains(&words(name).concat().as_str())
 }

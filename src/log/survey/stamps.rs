@@ -273,3 +273,34 @@ fn an_answer_about_the_time_of_slow_rows_smooths_them() {
         assert!(!found.text.contains("smooth"), "{found:?}");
     }
 }
+
+/// Counts of tenths of seconds and of tenths of microseconds are asked about: in s, ms, us and ns they are of no clock. Seconds since the
+/// year 0 and 1970, and since a start, are of one.
+#[test]
+fn counts_of_no_clock_are_asked_about() {
+    let rows = flight(47.3, 8.4);
+    let of = |begin: f64, count: f64| {
+        table("timestamp,lat,lon,alt (m)", &rows[..200], |_, row| {
+            format!("{:.0},{}", begin + count * row[0].round(), place(row))
+        })
+    };
+    // Rows of one second.
+    let rows_1hz = |text: String| {
+        let lines: Vec<&str> = text.lines().collect();
+        lines
+            .iter()
+            .take(1)
+            .chain(lines.iter().skip(1).step_by(5))
+            .map(|line| format!("{line}\n"))
+            .collect::<String>()
+    };
+    for (begin, count, answer) in [(1.77e10, 10.0, "scale = 0.1"), (1.34178e17, 1e7, "scale = 1e-7")] {
+        assert_asks(&rows_1hz(of(begin, count)), answer);
+    }
+    for (begin, count) in [(0.0, 1.0), (1.77e9, 1.0), (1.77e12, 1e3), (1.77e15, 1e6), (6.39e10, 1.0)] {
+        let (found, samples) = look(&rows_1hz(of(begin, count)));
+        assert!(found.questions.is_empty(), "{begin}: {found:?}");
+        let samples = samples.unwrap();
+        assert!((samples[samples.len() - 1].time_s - samples[0].time_s - 39.0).abs() < 1e-6, "{begin}");
+    }
+}

@@ -21,12 +21,16 @@ const OFTEN_HZ: f64 = 400.0;
 /// Ratios of the speed of the positions to that of the table that another unit of the speed may have: another unit of the time has not.
 pub const MATCHES: core::ops::RangeInclusive<f64> = 0.1..=5.0;
 
+/// Times that clocks show \[s\]: since a start or 1970 until 2103, since 1601 and since the year 0 from 1978 on.
+const CLOCKS_S: [core::ops::Range<f64>; 3] = [0.0..4.2e9, 1.19e10..1.58e10, 6.24e10..6.64e10];
+
 /// The units of times, with what a column says of them.
-const UNITS: [(&str, &str, f64); 9] = [
+const UNITS: [(&str, &str, f64); 10] = [
     ("s", "", 1.0),
     ("ms", ", unit = \"ms\"", 1e-3),
     ("us", ", unit = \"us\"", 1e-6),
     ("ns", ", unit = \"ns\"", 1e-9),
+    ("0.1 us", ", scale = 1e-7", 1e-7),
     ("0.1 ms", ", scale = 1e-4", 1e-4),
     ("0.1 s", ", scale = 0.1", 0.1),
     ("min", ", unit = \"min\"", 60.0),
@@ -182,7 +186,7 @@ impl Draft<'_> {
         });
         for (unit, part, si) in UNITS.into_iter().take(4) {
             let Some(motion) = &motion else { break };
-            if !is_rate(motion, si) {
+            if !is_rate(motion, si) || !self.is_of_clock(place, si) {
                 continue;
             }
             let Some(speed) = motion.speed(degrees, false, si).filter(|speed| SPEEDS.contains(speed)) else {
@@ -220,7 +224,10 @@ impl Draft<'_> {
         };
         // Minutes, hours and days have decimals.
         let has_decimals = || self.grid.numbers(place).iter().any(|time| time.fract() != 0.0);
-        if has_decimals() && UNITS[4..].iter().any(|(.., si)| is_vehicle(*si)) {
+        let is_of_clock = |(.., si): &(&str, &str, f64)| self.is_of_clock(place, *si);
+        let is_of_no_clock = UNITS[..4].iter().any(|unit| is_vehicle(unit.2) && !is_of_clock(unit));
+        let is_unusual = |unit: &(&str, &str, f64)| is_vehicle(unit.2) && is_of_clock(unit);
+        if (has_decimals() || is_of_no_clock) && UNITS[4..].iter().any(is_unusual) {
             self.open_time = Some((
                 place,
                 format!("{name} has no usual unit with which the positions are those of a vehicle"),
@@ -243,6 +250,12 @@ impl Draft<'_> {
         Some(part)
     }
 
+    /// Whether a column in units of this size counts as a clock does.
+    fn is_of_clock(&self, place: usize, si: f64) -> bool {
+        let first_s = self.grid.numbers(place).first().map_or(0.0, |first| (first * si).abs());
+        CLOCKS_S.iter().any(|times| times.contains(&first_s))
+    }
+
     /// What the numbers of a column would mean as times, a line of `[log]` for each unit that gives a log and a vehicle.
     fn units_of_time(&self, place: usize) -> Vec<String> {
         let times = self.grid.numbers(place);
@@ -261,7 +274,7 @@ impl Draft<'_> {
             let rate_hz = Some(1.0 / (interval * si)).filter(|rate| RATES.contains(rate))?;
             let speed = motion.as_ref().and_then(|motion| motion.speed(&READINGS[0], false, si));
             let speed = speed.filter(|speed| *speed > 0.0);
-            if speed.is_some_and(|speed| !SPEEDS.contains(&speed)) {
+            if speed.is_some_and(|speed| !SPEEDS.contains(&speed)) || !self.is_of_clock(place, si) {
                 return None;
             }
             let speed = speed.map_or(String::new(), |speed| format!(", {speed:.1} m/s over ground"));

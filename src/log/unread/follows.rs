@@ -26,6 +26,9 @@ const NEAR_UNIT: f64 = 0.2;
 pub const FOLLOWS_WELL: f64 = 0.98;
 pub const AT_UNIT: f64 = 0.05;
 
+/// Hundreds of feet, over metres.
+const LEVEL: f64 = 30.48;
+
 /// Largest offset of a height that is of another kind, and its share of the height.
 const OFFSET_M: f64 = 300.0;
 const OFFSET_SHARE: f64 = 0.15;
@@ -174,7 +177,9 @@ pub fn times(what: &str, ratio: f64, column: &Unread, dimension: Dimension) -> (
         found.map(|(other, _)| format!(" (is {is} in {other}?)"))
     };
     // The units of a record's positions are defined.
-    let of_flown = || find(of / ratio, "what flies").filter(|_| !column.of_record);
+    let in_levels =
+        || (ln(of / ratio / LEVEL).abs() < AT_UNIT).then(|| " (is what flies in flight levels?)".to_owned());
+    let of_flown = || find(of / ratio, "what flies").or_else(in_levels).filter(|_| !column.of_record);
     let explained = find(ratio * of, "it").or_else(of_flown);
     let is_explained = explained.is_some();
     (format!("{what} is {} times that of it{}", short(ratio), explained.unwrap_or_default()), is_explained)
