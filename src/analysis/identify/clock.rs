@@ -15,10 +15,10 @@ const MOST_CELLS: f64 = 2500.0;
 const SHORTEST_S: f64 = 0.2;
 /// A shift that fits as well has at least this part of the best score.
 const AS_WELL: f64 = 0.9;
-/// The peak of a shift ends where the score falls below this part.
+/// The peak of a shift ends where the score falls below this part of its height above the usual score.
 const PEAK: f64 = 0.5;
 /// A part of the record, of 2, that no shift explains by chance.
-const MUCH: f64 = 0.5;
+pub(super) const MUCH: f64 = 0.5;
 /// What rounding leaves of a sum of squares less that of its mean.
 const ROUNDING: f64 = 1e-12;
 /// Part of a cell between the shifts that are tried in the second round, the largest step between them [s], and most steps to each side.
@@ -125,7 +125,10 @@ pub(super) struct Search {
     pub first_s: f64,
     begin_s: f64,
     pub cell_s: f64,
+    /// Factors of the path by which it may explain the record.
     factors: (f64, f64),
+    /// What the path explains at the best shift in the right units, 0 to 2.
+    pub explained: f64,
     /// Sums of each part of the record at shift k - (cells of the record - 1), in cells.
     of_lag: Vec<[Sums; PARTS]>,
 }
@@ -169,12 +172,14 @@ impl Search {
         center(&mut ideal);
         let shifts = recorded.len() + ideal.len() - 1;
         let of_lag = room(shifts)?;
-        let mut search = Self { recorded, ideal, first_s, begin_s, cell_s, factors: SIZES, of_lag };
+        let (factors, explained) = (SIZES, 0.0);
+        let mut search = Self { recorded, ideal, first_s, begin_s, cell_s, factors, explained, of_lag };
         for lag in 0..shifts {
             let of_parts = core::array::from_fn(|part| search.in_common(lag, part));
             search.of_lag.push(of_parts);
         }
-        if search.score(search.best(&(0..PARTS)), 0..PARTS) < MUCH {
+        search.explained = search.score(search.best(&(0..PARTS)), 0..PARTS);
+        if search.explained < MUCH {
             search.factors = (0.0, f64::INFINITY);
         }
         Ok(search)
@@ -251,9 +256,13 @@ impl Search {
             .min_by(|&a, &b| off_s(a).total_cmp(&off_s(b)));
         let is_open = |lag: &usize| known_s.is_none() || is_near(lag);
         let best = summit(&scores, near.unwrap_or(top), is_open);
+        let mut sorted: Vec<f64> = room(shifts)?;
+        sorted.extend(&scores);
+        let (_, usual, _) = sorted.select_nth_unstable_by(shifts / 2, f64::total_cmp);
+        let edge = *usual + PEAK * (scores[best] - *usual);
         let ends = |step: isize| {
             let mut end = best as isize;
-            while (0..shifts as isize).contains(&end) && scores[end as usize] > PEAK * scores[best] {
+            while (0..shifts as isize).contains(&end) && scores[end as usize] > edge {
                 end += step;
             }
             end

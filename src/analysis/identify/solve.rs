@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use super::axes::{Axes, find};
 use super::beyond::check_beyond;
 use super::blocks::{Block, Blocks};
-use super::clock::{KNOWN_S, Search};
+use super::clock::{KNOWN_S, MUCH, Search};
 use super::jump::{self, Jump};
 use super::noise::{Coefficients, Evidence, Shapes, TOO_EXACT, evidences};
 use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
@@ -19,7 +19,7 @@ use crate::base::error::{Error, Rule};
 use crate::base::math::{rotation_matrix, rotation_quaternion, rotation_vector};
 
 /// Rounds of the fit, each about the last solution.
-const ROUNDS: usize = 8;
+const ROUNDS: usize = 16;
 /// Changes of clock [s] and mounting [rad] that end the rounds.
 const CLOCK_DONE_S: f64 = 1e-7;
 const MOUNTING_DONE: f64 = 1e-8;
@@ -124,6 +124,13 @@ fn begin(
         check_common(path, blocks, offset_s)?;
     }
     let mut matched = at_best?;
+    if request.shift_s.is_none() && matched.is_moving && search.explained < MUCH {
+        let rule = Rule::Sentence(
+            "part of the record, of 2 for gyros and accelerometers, that the path explains at the best shift of the clock, at least 0.5: too \
+             little motion stands out of the noise to find the shift, which must be stated, or the record is of another motion",
+        );
+        return Err(Error::invalid("request.shift_s", search.explained, rule));
+    }
     if !matched.is_moving {
         // Without motion a shift is not seen: the clock is taken for that of the path.
         offset_s = request.shift_s.unwrap_or(0.0);

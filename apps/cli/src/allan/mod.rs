@@ -18,6 +18,8 @@ pub use document::deviations;
 
 use std::path::PathBuf;
 
+use sins_allan::FEWEST_SAMPLES;
+
 use crate::drawing::document::PAGE_MARK;
 use crate::drawing::file::PICTURE_MARK;
 use crate::failure::Failure;
@@ -26,6 +28,9 @@ use crate::output::{NO_MARK, Outputs};
 use crate::terminal::{print, quoted};
 use crate::written;
 use analysis::Analysis;
+
+/// Most pieces between gaps that are read: of each, an averaging time has the differences.
+const MOST_PIECES: usize = 100;
 
 /// Analyses the log of `order`, writes the files and prints the table.
 pub fn run(order: &Order) -> Result<(), Failure> {
@@ -46,6 +51,8 @@ pub fn run(order: &Order) -> Result<(), Failure> {
         rate_hz: order.rate_hz,
         mapping: mapping.as_ref(),
         hint: "",
+        most_pieces: MOST_PIECES,
+        fewest_rows: FEWEST_SAMPLES,
     };
     let log = Log { is_still: order.still, ..Log::read(&source)? };
     let analyses = Analysis::of_log(&log)?;

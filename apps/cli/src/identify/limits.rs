@@ -22,7 +22,9 @@ pub fn drop_limited(rows: &mut Vec<RecordedIncrement>) -> Vec<String> {
             triad[sensor % 3] / row.interval_s
         };
         let values: Vec<f64> = rows.iter().map(of).collect();
-        let (count, limit) = mark(&values, &mut is_limited);
+        let mut of_sensor = vec![false; rows.len()];
+        let (count, limit) = mark(&values, &mut of_sensor);
+        is_limited.iter_mut().zip(of_sensor).for_each(|(is_limited, of_sensor)| *is_limited |= of_sensor);
         if count > 0 {
             let (size, unit) = if sensor < 3 { (limit.to_degrees(), "°/s") } else { (limit / G, "g") };
             remarks.push(format!(
@@ -38,29 +40,42 @@ pub fn drop_limited(rows: &mut Vec<RecordedIncrement>) -> Vec<String> {
     remarks
 }
 
-/// Marks the rows in which the signal is at the end of its range. Their number, and the range.
+/// Marks the rows in which the signal is at an end of its range, above or below. Their number, and the farther end.
 fn mark(values: &[f64], is_limited: &mut [bool]) -> (usize, f64) {
-    let limit = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-    let is_at = |value: f64| value.abs() >= limit * (1.0 - ROUNDING);
+    let most = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let changes = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-    let least = changes.filter(|change| *change > ROUNDING * limit).fold(f64::INFINITY, f64::min);
-    // The value beside the limit may be near it by chance, and the next one is not.
-    let is_steep = |rows: [Option<usize>; 2]| {
-        let beside = rows.into_iter().flatten().filter_map(|row| values.get(row));
-        beside.map(|value| limit - value.abs()).fold(0.0, f64::max) > STEPS * least
-    };
-    let mut marked = 0;
-    let mut begin = 0;
-    for stretch in values.chunk_by(|a, b| is_at(*a) && is_at(*b) && a.signum() == b.signum()) {
-        let end = begin + stretch.len();
-        let before = [begin.checked_sub(1), begin.checked_sub(2)];
-        if stretch.len() >= SHORTEST && is_steep(before) && is_steep([Some(end), Some(end + 1)]) {
-            is_limited[begin..end].fill(true);
-            marked += stretch.len();
+    let least = changes.filter(|change| *change > ROUNDING * most).fold(f64::INFINITY, f64::min);
+    let (mut marked, mut farthest) = (0, 0.0);
+    for sign in [1.0, -1.0] {
+        let limit = values.iter().fold(f64::NEG_INFINITY, |limit, value| limit.max(sign * value));
+        let is_at = |value: f64| sign * value >= limit - ROUNDING * most;
+        // The value beside the limit may be near it by chance, and the next one is not; a record may begin or end there.
+        let is_steep = |rows: [Option<usize>; 2]| {
+            let beside = rows.map(|row| row.and_then(|row| values.get(row)));
+            let off = beside.into_iter().flatten().map(|value| limit - sign * value).fold(0.0, f64::max);
+            beside[0].is_none() || off > STEPS * least
+        };
+        let mut begin = 0;
+        let mut is_end = false;
+        for stretch in values.chunk_by(|a, b| is_at(*a) && is_at(*b)) {
+            let end = begin + stretch.len();
+            let before = [begin.checked_sub(1), begin.checked_sub(2)];
+            is_end |= (SHORTEST..values.len()).contains(&stretch.len())
+                && is_at(stretch[0])
+                && is_steep(before)
+                && is_steep([Some(end), Some(end + 1)]);
+            begin = end;
         }
-        begin = end;
+        // Where it is the end of the range, it is that of each row.
+        if is_end {
+            for (is_limited, _) in is_limited.iter_mut().zip(values).filter(|(_, value)| is_at(**value)) {
+                marked += usize::from(!*is_limited);
+                *is_limited = true;
+            }
+            farthest = if limit > f64::abs(farthest) { sign * limit } else { farthest };
+        }
     }
-    (marked, limit)
+    (marked, farthest)
 }
 
 #[cfg(test)]
@@ -76,7 +91,7 @@ mod tests {
             let mut is_limited = vec![false; values.len()];
             let (count, limit) = mark(&values, &mut is_limited);
             assert_eq!(is_limited.iter().filter(|is| **is).count(), count);
-            assert!(is_limited.iter().zip(&values).all(|(is, value)| !is || value.abs() == limit));
+            assert!(is_limited.iter().zip(&values).all(|(is, value)| !is || value.abs() <= limit.abs()));
             count
         };
         for steps in [1e12, 1024.0] {
@@ -84,6 +99,16 @@ mod tests {
             let expected = (0..2000).filter(|k| cut(*k).abs() == 4.0).count();
             assert!(marked(&cut) == expected && expected > 100, "{steps}");
         }
+        // One side alone, an offset behind the range, few steps, and a record that begins at the end of the range.
+        let above = (0..2000).filter(|k| swing(*k) >= 4.0).count();
+        assert_eq!(marked(&|k| swing(k).min(4.0)), above);
+        assert_eq!(
+            marked(&|k| 0.3 + swing(k).clamp(-4.0, 4.0)),
+            (0..2000).filter(|k| swing(*k).abs() >= 4.0).count()
+        );
+        let late = |k: usize| swing(k + 75).min(4.0);
+        assert_eq!(marked(&late), (0..2000).filter(|k| swing(*k + 75) >= 4.0).count());
+        assert!(late(0) == 4.0);
         for whole in [
             &swing as &dyn Fn(usize) -> f64,
             &|k| swing(k).round(),

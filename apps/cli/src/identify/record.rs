@@ -11,6 +11,9 @@ use super::limits::drop_limited;
 use crate::failure::Failure;
 use crate::imu::{Log, Sensor, Source, imu_of_file, imu_of_scene, reversed};
 
+/// Fewest rows of the longest piece between gaps: in a record of fewer the gaps are none.
+const FEWEST_ROWS: usize = 20;
+
 /// A record of gyros and accelerometers.
 pub struct SensorRecord {
     /// Name of its file.
@@ -49,6 +52,8 @@ impl SensorRecord {
             rate_hz: order.rate,
             mapping: of_file.as_ref().or(of_truth),
             hint: &hint,
+            most_pieces: usize::MAX,
+            fewest_rows: FEWEST_ROWS,
         };
         let log = Log::read(&source)?;
         let of = |sensor: Sensor| log.series.iter().filter(move |series| series.sensor == sensor);

@@ -11,6 +11,7 @@ use sins_allan::FEWEST_SAMPLES;
 use super::quantity::Sensor;
 use super::rows::{Read as Column, Rows, Source, keep};
 use super::stamps::{self, EVEN, Stamps};
+use super::uneven::{between, lengths};
 use crate::failure::Failure;
 use crate::given::open_table;
 use crate::progress::Progress;
@@ -90,8 +91,10 @@ impl Log {
             let over_s = if quantity.is_increment { 1.0 } else { interval_s };
             let unit = scale * (quantity.si * over_s);
             keep(&mut increments, &stamps.pieces);
-            if stamps.is_uneven {
-                between(&mut increments, &stamps.pieces, |row| lengths_s[row] / interval_s);
+            if stamps.is_uneven && !quantity.is_increment {
+                between(&mut increments, &stamps.pieces, &lengths_s);
+                let of_interval = |(value, length_s): (&mut f64, &f64)| *value *= length_s / interval_s;
+                increments.iter_mut().zip(&lengths_s).for_each(of_interval);
             }
             increments.iter_mut().for_each(|value| *value *= unit);
             // Without an addition a value keeps its bits, also -0.
@@ -178,7 +181,7 @@ fn remarks(stamps: &Stamps, is_spaced: bool) -> Vec<String> {
     if *is_uneven {
         let jitter = significant(*jitter);
         remarks.push(format!(
-            "rows are at uneven times, up to {jitter} of the mean interval from it: between two rows the signals are taken as straight lines"
+            "rows are at uneven times: their intervals differ by up to {jitter} of the mean one"
         ));
     } else if is_spaced && *jitter > REMARKED {
         let jitter = significant(*jitter);
@@ -189,56 +192,34 @@ fn remarks(stamps: &Stamps, is_spaced: bool) -> Vec<String> {
     remarks
 }
 
-/// Times of the rows of the pieces, and whether rows are equally spaced about the mean of the stamps of their piece: where stamps scatter
-/// by half an interval and more, and where they scatter less and are within an interval of such times.
+/// Times of the rows of the pieces, and whether rows are equally spaced: where stamps scatter by half an interval and more, and where they
+/// scatter less and are within an interval of such times.
 fn times(stamps: &Stamps, mut times_s: Vec<f64>) -> (Vec<f64>, bool) {
     let interval_s = stamps.interval_s;
     let mut is_spaced = false;
     if stamps.jitter > EVEN && !stamps.is_uneven {
-        for piece in &stamps.pieces {
-            let rows = &mut times_s[piece.clone()];
-            let count = rows.len() as f64;
-            let middle_s = rows.iter().sum::<f64>() / count - 0.5 * (count - 1.0) * interval_s;
-            let spaced = |row: usize| middle_s + row as f64 * interval_s;
-            let is_near = |(row, time_s): (usize, &f64)| (time_s - spaced(row)).abs() < interval_s;
-            if stamps.jitter > SCATTER || rows.iter().enumerate().all(is_near) {
-                rows.iter_mut().enumerate().for_each(|(row, time_s)| *time_s = spaced(row));
+        let places: Vec<f64> = stamps.places().collect();
+        // The mean over a piece of the time at which it would begin to count.
+        let begin_s = |piece: &Range<usize>| {
+            let rows = times_s[piece.clone()].iter().zip(&places[piece.clone()]);
+            rows.map(|(time_s, place)| time_s - place * interval_s).sum::<f64>() / piece.len() as f64
+        };
+        let whole_s = begin_s(&(0..times_s.len()));
+        // One clock for all pieces: the mean of few stamps that are late scatters.
+        let is_one = stamps.pieces.iter().all(|piece| (begin_s(piece) - whole_s).abs() < interval_s);
+        let begins_s: Vec<f64> =
+            stamps.pieces.iter().map(|piece| if is_one { whole_s } else { begin_s(piece) }).collect();
+        for (piece, begin_s) in stamps.pieces.iter().zip(begins_s) {
+            let spaced = |row: usize| begin_s + places[row] * interval_s;
+            let is_near = |row: usize| (times_s[row] - spaced(row)).abs() < interval_s;
+            if stamps.jitter > SCATTER || piece.clone().all(is_near) {
+                piece.clone().for_each(|row| times_s[row] = spaced(row));
                 is_spaced = true;
             }
         }
     }
     keep(&mut times_s, &stamps.pieces);
     (times_s, is_spaced)
-}
-
-/// Lengths of the intervals of the rows of the pieces: of uneven ones from the row before.
-fn lengths(stamps: &Stamps, times_s: &[f64]) -> Vec<f64> {
-    if !stamps.is_uneven {
-        return Vec::new();
-    }
-    let first = std::iter::once(stamps.interval_s);
-    let of_piece =
-        |piece: Range<usize>| first.clone().chain(times_s[piece].windows(2).map(|pair| pair[1] - pair[0]));
-    joined(&stamps.pieces).flat_map(of_piece).collect()
-}
-
-/// Where the pieces are when only their rows are kept.
-fn joined(pieces: &[Range<usize>]) -> impl Iterator<Item = Range<usize>> + '_ {
-    let mut to = 0;
-    pieces.iter().map(move |piece| {
-        to += piece.len();
-        to - piece.len()..to
-    })
-}
-
-/// Makes of values at the ends of intervals means over them, on straight lines between the rows of a piece, times `length` of a row.
-fn between(values: &mut [f64], pieces: &[Range<usize>], length: impl Fn(usize) -> f64) {
-    for piece in joined(pieces) {
-        for row in (piece.start..piece.end).rev() {
-            let before = values[row.saturating_sub(1).max(piece.start)];
-            values[row] = 0.5 * (before + values[row]) * length(row);
-        }
-    }
 }
 
 /// The equal intervals of rows that are counted, or those of the stamps; rejects stamps that go back.
@@ -271,19 +252,17 @@ fn stamps(
         return Err(Failure::of_file(path, &format!("column {name}: all stamps are the same{counts}")));
     }
     check_jump(path, rows, &name, &times_s, counts)?;
-    let mut found = stamps::read(&times_s);
-    // An increment is that of its interval, however late its stamp is.
-    if rows.columns.iter().all(|column| !column.quantity.is_increment) {
-        found = found.uneven(&times_s).unwrap_or(found);
-    }
+    let found = stamps::read(&times_s);
+    let found = found.uneven(&times_s).unwrap_or(found);
+    let found = found.longest(source.most_pieces);
     let longest = found.pieces.iter().map(Range::len).max().unwrap_or(0);
-    if longest < FEWEST_SAMPLES {
+    if longest < source.fewest_rows {
         let rate = significant(1.0 / found.interval_s);
         let as_next =
             if has_holes { String::new() } else { format!("; --rate {rate}: takes each row as the next") };
         let what = format!(
-            "column {name}: {} gaps, and the longest piece between them has {longest} rows (limit {FEWEST_SAMPLES}{as_next})",
-            found.gaps
+            "column {name}: {} gaps, and the longest piece between them has {longest} rows (limit {}{as_next})",
+            found.gaps, source.fewest_rows
         );
         return Err(Failure::of_file(path, &what));
     }
@@ -319,6 +298,8 @@ mod tests {
             rate_hz,
             mapping: None,
             hint: "",
+            most_pieces: 100,
+            fewest_rows: FEWEST_SAMPLES,
         }
     }
 

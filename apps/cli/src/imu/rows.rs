@@ -40,6 +40,9 @@ pub struct Source<'a> {
     pub mapping: Option<&'a LogMapping>,
     /// What is said behind a failure of its table; empty: nothing.
     pub hint: &'a str,
+    /// Most pieces between gaps that are read, the longest; and fewest rows of the longest of all.
+    pub most_pieces: usize,
+    pub fewest_rows: usize,
 }
 
 impl Source<'_> {

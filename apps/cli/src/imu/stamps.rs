@@ -3,29 +3,24 @@
 use std::ops::Range;
 
 /// A step longer than this part of the interval may be a gap.
-const LONG: f64 = 1.5;
+pub const LONG: f64 = 1.5;
 
 /// Rows before and behind a long step that tell whether it is a gap. Behind a late stamp the next ones are on time again; behind a gap none
 /// is. Where long steps are near to each other, as between batches of rows with one stamp, it is twice their distance, up to the most.
 const ROWS: usize = 20;
 const MOST_ROWS: usize = 2000;
-const FEW: usize = 5;
+pub const FEW: usize = 5;
 
 /// Largest number of gaps, as a part of the rows: more of them are stamps that come in batches, each as late as the last row of its batch.
 const MOST_GAPS: f64 = 0.1;
 
-/// Rows of mean steps.
-const MEANS: usize = 30;
+/// Stamps of rows without gaps are off a line by at most this number of times as much as their steps are off the interval. So few gaps, as
+/// a part of the rows, would hide among stamps that are late.
+const SCATTERS: f64 = 1.5;
+const MANY_GAPS: f64 = 0.02;
 
-/// Times as many rows, over which stamps that wander are off by this number of times as much as over the rows of mean steps: by four
-/// times, and stamps that scatter by as much. Fewest lengths of these rows in a record, and longest step, in intervals, that is no gap.
-const MANY: usize = 16;
-const WANDERS: f64 = 2.0;
-const FEWEST_WINDOWS: usize = 4;
-const LONG_UNEVEN: f64 = 20.0;
-/// Long steps within this part of an interval from a whole number of them, and the part of such steps from which on rows are lost.
-const WHOLE: f64 = 0.25;
-const MOST_WHOLE: f64 = 0.75;
+/// Rows of mean steps.
+pub const MEANS: usize = 30;
 
 /// Stamps whose steps are whole numbers of intervals to this part of one do not scatter: each long step of them is a gap.
 pub const EVEN: f64 = 0.1;
@@ -38,8 +33,8 @@ const SHORTEST: f64 = 1e-6;
 /// Steps of which the usual one is taken.
 const MOST_STEPS: usize = 100_000;
 
-/// Most pieces between gaps that are read.
-const MOST_PIECES: usize = 100;
+/// The same of stamps that do not scatter, if fewer rows are lost than are there.
+const MOST_LOST: f64 = 0.5;
 
 /// Rounds in which the interval is found: a round leaves that part of its error that the gaps are of the record.
 const ROUNDS: usize = 60;
@@ -51,12 +46,12 @@ pub struct Stamps {
     /// Rows, and gaps between them.
     pub rows: usize,
     pub gaps: usize,
-    /// The pieces of rows at equal intervals between the gaps; of very many the longest.
+    /// The pieces of rows at equal intervals between the gaps.
     pub pieces: Vec<Range<usize>>,
     /// Intervals that are missing between the pieces.
     pub lost: usize,
     /// The rows before gaps, and intervals that are missing behind each.
-    lost_before: Vec<(usize, usize)>,
+    pub lost_before: Vec<(usize, usize)>,
     /// Whether rows are at the times of their stamps, and not at equal intervals.
     pub is_uneven: bool,
     /// Largest difference between a step within a piece and the interval, as a part of the interval.
@@ -79,48 +74,9 @@ impl Stamps {
         }
     }
 
-    /// Rows that a recorder takes when it comes to it, each some time behind the one before: over many rows the stamps leave equal
-    /// intervals by more and more, which stamps that are late do not. A step of many mean ones is a gap.
-    pub fn uneven(&self, times_s: &[f64]) -> Option<Self> {
-        // Rows that are lost leave steps of whole intervals.
-        let is_whole = |step: f64| (step - step.round()).abs() < WHOLE;
-        let long = || steps(times_s).map(|step| step / self.interval_s).filter(|step| *step > LONG);
-        let (count, whole) = (long().count(), long().filter(|step| is_whole(*step)).count());
-        if self.jitter < EVEN || (count > FEW && whole as f64 > MOST_WHOLE * count as f64) {
-            return None;
-        }
-        let of_many = |rows: usize| {
-            let steps = |k: usize| times_s.get(k + rows).map(|end_s| end_s - times_s[k]);
-            let mut over: Vec<f64> = (0..times_s.len()).map_while(steps).collect();
-            if over.len() < FEWEST_WINDOWS * rows {
-                return None;
-            }
-            let usual_s = median(&mut over);
-            over.iter_mut().for_each(|time_s| *time_s = (*time_s - usual_s).abs());
-            Some((usual_s, median(&mut over)))
-        };
-        let ((few_s, off_few), (_, off_many)) = (of_many(MEANS)?, of_many(MANY * MEANS)?);
-        let interval_s = few_s / MEANS as f64;
-        if off_many < WANDERS * off_few || off_few < EVEN * interval_s {
-            return None;
-        }
-        let is_gap = |step: &f64| *step > LONG_UNEVEN * interval_s;
-        let gaps = || steps(times_s).enumerate().filter(|(_, step)| is_gap(step));
-        let ends = gaps().map(|(row, _)| row + 1).chain([times_s.len()]);
-        let mut begin = 0;
-        let pieces: Vec<Range<usize>> = ends.map(|end| std::mem::replace(&mut begin, end)..end).collect();
-        let lost = gaps().map(|(_, step)| (step / interval_s) as usize).sum();
-        let jitter = steps(times_s).filter(|step| !is_gap(step)).map(|step| (step / interval_s - 1.0).abs());
-        let jitter = jitter.fold(0.0, f64::max);
-        let stamps = Self {
-            gaps: pieces.len() - 1,
-            pieces,
-            lost,
-            is_uneven: true,
-            jitter,
-            ..Self::counted(times_s.len(), interval_s)
-        };
-        Some(stamps.longest())
+    /// The numbers of the intervals at whose ends the rows are.
+    pub fn places(&self) -> impl Iterator<Item = f64> + '_ {
+        places(self.rows, &self.lost_before)
     }
 
     /// Rows of the pieces.
@@ -128,38 +84,75 @@ impl Stamps {
         self.pieces.iter().map(Range::len).sum()
     }
 
-    /// Leaves out the shortest of very many pieces, and single rows.
-    fn longest(mut self) -> Self {
+    /// Leaves out the shortest of more than `most` pieces, and single rows.
+    pub fn longest(mut self, most: usize) -> Self {
         let mut lengths: Vec<usize> = self.pieces.iter().map(Range::len).collect();
         lengths.sort_unstable_by(|a, b| b.cmp(a));
-        let least = lengths[lengths.len().min(MOST_PIECES) - 1].max(2);
+        let least = lengths[lengths.len().min(most) - 1].max(2);
         self.pieces.retain(|piece| piece.len() >= least);
-        self.pieces.truncate(MOST_PIECES);
+        self.pieces.truncate(most);
         self
     }
 }
 
 /// Reads stamps [s] in order, at least two.
 pub fn read(times_s: &[f64]) -> Stamps {
+    let found = read_gaps(times_s);
+    if found.gaps == 0 || is_even(times_s, found.interval_s) {
+        return found;
+    }
+    // Where stamps are late by intervals, many of them look like gaps: with gaps the stamps leave a line by more than their steps scatter.
+    let rows = || (0..times_s.len()).map(|row| row as f64).zip(times_s.iter().copied());
+    let interval_s = slope(rows());
+    let count = times_s.len() as f64;
+    let begin_s = rows().map(|(row, time_s)| time_s - row * interval_s).sum::<f64>() / count;
+    let square = |off: f64| off * off;
+    let of_line = rows().map(|(row, time_s)| square(time_s - begin_s - row * interval_s)).sum::<f64>();
+    let of_steps = steps(times_s).map(|step| square(step - interval_s)).sum::<f64>();
+    let jitter = steps(times_s).map(|step| (step / interval_s - 1.0).abs()).fold(0.0, f64::max);
+    let whole = Stamps { jitter, ..Stamps::counted(times_s.len(), interval_s) };
+    let are_many = found.gaps as f64 > MANY_GAPS * count;
+    if are_many && of_line < square(SCATTERS) * of_steps { whole } else { found }
+}
+
+/// The interval, and the gaps that steps show.
+fn read_gaps(times_s: &[f64]) -> Stamps {
     let whole = 0..times_s.len() - 1;
     let mean_s = mean(times_s, &whole, 0);
     // If there are gaps, the mean step is too long; if stamps come in batches, the usual step is too short, or nothing.
     let usual_s = usual(times_s);
     if usual_s > SHORTEST * mean_s {
         let found = found(times_s, &whole, usual_s);
+        if is_even(times_s, found.interval_s) {
+            return found;
+        }
         if found.gaps as f64 <= MOST_GAPS * times_s.len() as f64 {
-            let is_even = is_even(times_s, found.interval_s);
-            return if is_even { found } else { scattered(times_s, &whole, found) }.longest();
+            return scattered(times_s, &whole, found);
         }
     }
     // From the first row of a batch to that of the last: the end of a batch has the stamp of its begin.
-    let mut long =
-        steps(times_s).enumerate().filter(|(_, step)| *step > LONG * mean_s).map(|(row, _)| row + 1);
-    let batches = match (long.next(), long.last()) {
-        (Some(first), Some(last)) => first..last,
+    let is_long = |(row, step): (usize, f64)| (step > LONG * mean_s).then_some(row + 1);
+    let firsts: Vec<usize> = steps(times_s).enumerate().filter_map(is_long).collect();
+    let batches = match firsts[..] {
+        [first, .., last] => first..last,
         _ => whole,
     };
-    found(times_s, &batches, mean(times_s, &batches, 0)).longest()
+    let mut found = found(times_s, &batches, mean(times_s, &batches, 0));
+    // Batches of other numbers of rows, whose stamps may be those of the last: on average over all of them.
+    if found.gaps == 0 && firsts.len() > FEW {
+        found.interval_s = slope(firsts.iter().map(|row| (*row as f64, times_s[*row])));
+    }
+    found
+}
+
+/// The slope of the line nearest to points.
+fn slope(points: impl Iterator<Item = (f64, f64)> + Clone) -> f64 {
+    let count = points.clone().count() as f64;
+    let (middle, middle_s) =
+        points.clone().fold((0.0, 0.0), |sum, (k, t)| (sum.0 + k / count, sum.1 + t / count));
+    let off = points.map(|(k, t)| (k - middle, t - middle_s));
+    let (along, square) = off.fold((0.0, 0.0), |sum, (k, t)| (sum.0 + k * t, sum.1 + k * k));
+    along / square
 }
 
 /// The mean interval between two rows, if `lost` rows are missing between them.
@@ -167,12 +160,12 @@ fn mean(times_s: &[f64], rows: &Range<usize>, lost: usize) -> f64 {
     (times_s[rows.end] - times_s[rows.start]) / (rows.len() + lost) as f64
 }
 
-fn steps(times_s: &[f64]) -> impl Iterator<Item = f64> {
+pub fn steps(times_s: &[f64]) -> impl Iterator<Item = f64> {
     times_s.windows(2).map(|pair| pair[1] - pair[0])
 }
 
 /// The middle one of some values.
-fn median(values: &mut [f64]) -> f64 {
+pub fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
     *values.select_nth_unstable_by(middle, f64::total_cmp).1
 }
@@ -200,22 +193,15 @@ fn scattered(times_s: &[f64], whole: &Range<usize>, by_step: Stamps) -> Stamps {
         }
     }
     // The first and the last stamp scatter too: the interval is that of the line nearest to all.
-    let places = || places(times_s, &best);
-    let count = times_s.len() as f64;
-    let (middle, middle_s) =
-        places().zip(times_s).fold((0.0, 0.0), |sum, (k, t)| (sum.0 + k / count, sum.1 + t / count));
-    let (along, square) = places()
-        .zip(times_s)
-        .map(|(k, t)| (k - middle, t - middle_s))
-        .fold((0.0, 0.0), |sum, (k, t)| (sum.0 + k * t, sum.1 + k * k));
-    Stamps { interval_s: along / square, ..best }
+    let interval_s = slope(places(times_s.len(), &best.lost_before).zip(times_s.iter().copied()));
+    Stamps { interval_s, ..best }
 }
 
-/// The numbers of the intervals at whose ends the rows are.
-fn places<'a>(times_s: &'a [f64], stamps: &'a Stamps) -> impl Iterator<Item = f64> + 'a {
-    let mut lost = stamps.lost_before.iter().peekable();
+/// The numbers of the intervals at whose ends `rows` rows are.
+fn places(rows: usize, lost_before: &[(usize, usize)]) -> impl Iterator<Item = f64> + Clone + '_ {
+    let mut lost = lost_before.iter().peekable();
     let mut sum = 0;
-    (0..times_s.len()).map(move |row| {
+    (0..rows).map(move |row| {
         while let Some((_, of_gap)) = lost.next_if(|gap| gap.0 < row) {
             sum += of_gap;
         }
@@ -225,7 +211,7 @@ fn places<'a>(times_s: &'a [f64], stamps: &'a Stamps) -> impl Iterator<Item = f6
 
 /// Mean distance of the stamps from equal intervals over some rows, in intervals.
 fn off(times_s: &[f64], stamps: &Stamps) -> f64 {
-    let places: Vec<f64> = places(times_s, stamps).collect();
+    let places: Vec<f64> = places(times_s.len(), &stamps.lost_before).collect();
     let off = |(t, k): (&[f64], &[f64])| ((t[MEANS] - t[0]) / stamps.interval_s - (k[MEANS] - k[0])).abs();
     times_s.windows(MEANS + 1).zip(places.windows(MEANS + 1)).map(off).sum::<f64>() / times_s.len() as f64
 }
@@ -265,14 +251,16 @@ fn found(times_s: &[f64], rows: &Range<usize>, begin_s: f64) -> Stamps {
 
 /// Whether the steps are whole numbers of intervals, and most of them one.
 fn is_even(times_s: &[f64], interval_s: f64) -> bool {
-    let is_long = |step: &f64| *step > LONG * interval_s;
     let is_whole = |step: f64| {
         let intervals = step / interval_s;
         let off = (intervals - intervals.round()).abs();
         intervals > LONGEST_EVEN || (intervals.round() >= 1.0 && off < EVEN)
     };
-    let long = steps(times_s).filter(is_long).count();
-    steps(times_s).all(is_whole) && long as f64 <= MOST_GAPS * times_s.len() as f64
+    let rows = times_s.len() as f64;
+    let long = || steps(times_s).map(|step| step / interval_s).filter(|step| *step > LONG);
+    let lost: f64 = long().map(|step| step - 1.0).sum();
+    let few = long().count() as f64 <= if lost < rows { MOST_LOST } else { MOST_GAPS } * rows;
+    few && steps(times_s).all(is_whole)
 }
 
 /// The rows before gaps, and how many intervals each gap has more than one.
@@ -286,7 +274,10 @@ fn gaps(times_s: &[f64], interval_s: f64) -> Vec<(usize, usize)> {
     let rows = if apart > MOST_ROWS { ROWS } else { apart.max(ROWS) };
     let mut gaps = Vec::new();
     let mut begin = 0;
-    for (row, _) in steps(times_s).enumerate().filter(|(_, step)| is_long(step)) {
+    for (row, step) in steps(times_s).enumerate().filter(|(_, step)| is_long(step)) {
+        // Rows that waited as long are all written then, each less late than the one before.
+        let waited = (2.0 * step / interval_s).min(MOST_ROWS as f64) as usize;
+        let rows = rows.max(waited);
         // When the row was due, by the stamps before and behind it: the earliest, as stamps are late rather than early.
         let before =
             (begin.max(row.saturating_sub(rows))..=row).map(|k| times_s[k] + (row - k) as f64 * interval_s);
@@ -306,7 +297,7 @@ fn gaps(times_s: &[f64], interval_s: f64) -> Vec<(usize, usize)> {
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
 
     /// Rows 0 to 999 at 100 Hz, less those that `is_lost`, with the stamps `late`.
@@ -321,7 +312,7 @@ mod tests {
     }
 
     /// A number from 0 to 1 that does not hang on those before.
-    fn random(k: usize) -> f64 {
+    pub fn random(k: usize) -> f64 {
         let mixed = (k as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         (mixed >> 11) as f64 / (1_u64 << 53) as f64
@@ -364,34 +355,16 @@ mod tests {
         }
     }
 
-    /// Rows of an uneven loop are told from late stamps and from lost rows.
-    #[test]
-    fn rows_of_an_uneven_loop_are_where_their_stamps_are() {
-        for spread in [0.3, 0.8, 1.5] {
-            let mut time_s = 0.0;
-            let mut times_s: Vec<f64> = (0..3000)
-                .map(|k| {
-                    time_s += 0.01 * (1.0 + spread * (random(k) - 0.5));
-                    time_s
-                })
-                .collect();
-            times_s[2000..].iter_mut().for_each(|time_s| *time_s += 5.0);
-            let found = read(&times_s).uneven(&times_s).unwrap();
-            assert!((found.interval_s / 0.01 - 1.0).abs() < 0.05, "{spread}: {found:?}");
-            assert_eq!(found.pieces, [0..2000, 2000..3000], "{spread}");
-        }
-        for late in [random, |k: usize| -0.3 * (1.0 - random(k)).ln(), |k: usize| (3 - k % 4) as f64] {
-            for lost in [|_: usize| false, |k: usize| (k * k) % 17 == 3] {
-                let times_s: Vec<f64> =
-                    (0..3000).filter(|k| !lost(*k)).map(|k| 0.01 * (k as f64 + 0.3 * late(k))).collect();
-                assert!(read(&times_s).uneven(&times_s).is_none());
-            }
-        }
-    }
-
     /// A host that is late by a random time writes stamps whose usual step is shorter than the interval.
     #[test]
     fn stamps_that_are_late_by_a_random_time_have_no_gaps() {
+        let late = |k: usize| 0.01 * (k as f64 - 2.0 * (1.0 - random(k)).ln());
+        let times_s = (0..2000).scan(0.0, |last: &mut f64, k| {
+            *last = late(k).max(*last + 1e-6);
+            Some(*last)
+        });
+        let found = read(&times_s.collect::<Vec<f64>>());
+        assert!((found.interval_s / 0.01 - 1.0).abs() < 1e-3 && found.gaps == 0, "{found:?}");
         for mean in [0.05, 0.2, 0.3] {
             for (from, lost) in [(600, 0), (600, 100), (300, 1)] {
                 let rows = (0..2000).filter(|k| !(from..from + lost).contains(k));
