@@ -14,10 +14,11 @@ pub const FEW: usize = 5;
 /// Largest number of gaps, as a part of the rows: more of them are stamps that come in batches, each as late as the last row of its batch.
 const MOST_GAPS: f64 = 0.1;
 
-/// Stamps of rows without gaps are off a line by at most this number of times as much as their steps are off the interval. So few gaps, as
-/// a part of the rows, would hide among stamps that are late.
-const SCATTERS: f64 = 1.5;
-const MANY_GAPS: f64 = 0.02;
+/// Stamps of rows without gaps are off a line by at most these numbers of times as much as their steps are off the interval: by 0.7 times
+/// where they are late by chance, and by more where they wait for each other, as where steps are off by a part of the interval. A single
+/// row that is lost is not told among those.
+const SCATTERS: [f64; 2] = [0.9, 1.5];
+const LATE: f64 = 0.6;
 
 /// Rows of mean steps.
 pub const MEANS: usize = 30;
@@ -101,7 +102,7 @@ pub fn read(times_s: &[f64]) -> Stamps {
     if found.gaps == 0 || is_even(times_s, found.interval_s) {
         return found;
     }
-    // Where stamps are late by intervals, many of them look like gaps: with gaps the stamps leave a line by more than their steps scatter.
+    // Late stamps look like gaps: with gaps the stamps leave a line by more than their steps scatter.
     let rows = || (0..times_s.len()).map(|row| row as f64).zip(times_s.iter().copied());
     let interval_s = slope(rows());
     let count = times_s.len() as f64;
@@ -111,8 +112,9 @@ pub fn read(times_s: &[f64]) -> Stamps {
     let of_steps = steps(times_s).map(|step| square(step - interval_s)).sum::<f64>();
     let jitter = steps(times_s).map(|step| (step / interval_s - 1.0).abs()).fold(0.0, f64::max);
     let whole = Stamps { jitter, ..Stamps::counted(times_s.len(), interval_s) };
-    let are_many = found.gaps as f64 > MANY_GAPS * count;
-    if are_many && of_line < square(SCATTERS) * of_steps { whole } else { found }
+    let is_late = of_steps > square(LATE * interval_s) * count;
+    let most = SCATTERS[usize::from(is_late)];
+    if of_line < square(most) * of_steps { whole } else { found }
 }
 
 /// The interval, and the gaps that steps show.
