@@ -126,14 +126,17 @@ fn begin(
     let mut matched = at_best?;
     if request.shift_s.is_none() && matched.is_moving && search.explained < MUCH {
         let rule = Rule::Sentence(
-            "part of the record, of 2 for gyros and accelerometers, that the path explains at the best shift of the clock, at least 0.5: too \
-             little motion stands out of the noise to find the shift, which must be stated, or the record is of another motion",
+            "part of the record that the path explains at the best shift of the clock, at least 0.25: too little motion stands out of the \
+             noise to find the shift, which must be stated, or the record is of another motion",
         );
-        return Err(Error::invalid("request.shift_s", search.explained, rule));
+        return Err(Error::invalid("record.motion", 0.5 * search.explained, rule));
     }
     if !matched.is_moving {
         // Without motion a shift is not seen: the clock is taken for that of the path.
         offset_s = request.shift_s.unwrap_or(0.0);
+        if request.shift_s.is_none() {
+            check_common(path, blocks, offset_s)?;
+        }
         matched = axes_at(offset_s)?;
     } else if let Some(other) = found.other {
         let rule = Rule::SentenceWith(
@@ -168,8 +171,8 @@ fn check_common(path: &IdealPath, blocks: &[Block], offset_s: f64) -> Result<(),
     let common_s = end_s.min(last_s + offset_s) - begin_s.max(first_s + offset_s);
     if common_s < LEAST_COMMON * (end_s - begin_s).min(last_s - first_s) {
         let rule = Rule::Sentence(
-            "seconds that the record and the path have in common at the best shift of the clock, less than half of the shorter one: the \
-             record is of another motion, or its shift must be stated",
+            "seconds that the record and the path have in common at the shift of the clock that fits best, or at none if no motion shows it, \
+             less than half of the shorter one: the record is of another motion, or its shift must be stated",
         );
         return Err(Error::invalid("record.motion", common_s, rule));
     }

@@ -57,6 +57,25 @@ fn three_minutes_of_a_flight_are_found_on_all_of_it() {
     assert!(asked <= 4, "{asked} of 6");
 }
 
+/// A cruise straight on shows no clock: its record is not placed on the whole flight by chance, nor is the record of the whole flight
+/// placed on its path.
+#[test]
+fn a_quiet_piece_needs_its_shift() {
+    let commuter = flight("commuter");
+    let (whole_s, cruise_s) = ((0.0, 1080.0), (506.0, 692.0));
+    let (whole, cruise) = (path(&commuter, whole_s), path(&commuter, cruise_s));
+    for run in 0..3 {
+        let unit = Unit { behind_s: 129_511.2, run, ..Default::default() };
+        let pairs = [(&whole, cruise_s), (&cruise, whole_s)];
+        for (path, of_record) in pairs {
+            let answer = identify(path, &unit.record(&commuter, of_record), &Request::default());
+            let answer = answer.err().map_or("accepted".to_owned(), |error| error.to_string());
+            let is_asked = answer.contains("must be stated") || answer.contains("so does another one");
+            assert!(is_asked || answer.contains("of another motion"), "{run} {of_record:?}: {answer}");
+        }
+    }
+}
+
 /// Blocks that are turned by any rotation, those halfway between two exchanges of axes too.
 #[test]
 fn a_block_that_is_turned_by_any_rotation_is_found() {
