@@ -2,6 +2,7 @@
 
 import { RUNS } from "./runs.mjs";
 import { element, parts, shown, text } from "./texts.mjs";
+import { line_of } from "./theory.mjs";
 
 /** Units of a kind of quantity, each with its size, and the least span of an axis, so that rounding does not fill a panel. */
 const KINDS = {
@@ -65,13 +66,13 @@ export const colour = (name) => getComputedStyle(document.documentElement).getPr
 export class Curves {
     /** target: the element for the panels. */
     constructor(target) {
-        [this.target, this.plots, this.key, this.points, this.marks, this.kept] = [target, [], "", null, [], []];
+        [this.target, this.plots, this.key, this.points, this.marks, this.kept, this.theory] = [target, [], "", null, [], [], () => null];
         new ResizeObserver(() => this.resize()).observe(target);
     }
 
-    /** From the next drawing on: marks, [{at_s, name}], and the whole time instead of an enlarged part. */
-    look_at(marks) {
-        [this.marks, this.key] = [marks, ""];
+    /** From the next drawing on: marks, [{at_s, name}], a function that says what theory says, and the whole time instead of an enlarged part. */
+    look_at(marks, theory) {
+        [this.marks, this.theory, this.key] = [marks, theory, ""];
     }
 
     /** Keeps the curves of the flight that is shown, by a name; they stay until they are forgotten. */
@@ -86,22 +87,23 @@ export class Curves {
         const triples = quantity.triples.filter((name, k) => k === 0 || quantity.names || has_model);
         const columns = triples.map((name) => points[name]), { time } = points, [time_unit, time_size] = unit_of("time", time.at(-1));
         const banded = band?.[triples[0]];
-        const names = parts(quantity.names ?? "data"), axes = parts(quantity.axes);
+        const names = parts(quantity.names ?? "data"), axes = parts(quantity.axes), theory = triples[0] === "misalignment2" ? this.theory() : null;
         const panels = axes.map((axis, k) => {
             const kept = this.kept.map(({ points: { time: times, [triples[0]]: triple } }) => at_times(times, triple[k], time));
             const edges = (banded?.[k] ?? []).map((edge) => at_times(band.time, edge, time));
+            if (theory?.axis === k) kept.push(line_of(theory, time, points[triples[0]][k]));
             const own = columns.map((triple) => triple[k]), [unit, size] = unit_of(quantity.kind, largest_of([...edges, ...kept, ...own]));
             const scaled = (column, by) => column.map((value) => (value === null ? null : value / by));
             return { axis, unit, size, data: [scaled(time, time_size), ...[...edges, ...kept, ...own.toReversed()].map((column) => scaled(column, size))] };
         });
         this.time_size = time_size;
-        const key = JSON.stringify([quantity.axes, quantity.kind, quantity.name(), triples, this.kept.map(({ name }) => name), Boolean(banded), time_unit, panels.map(({ unit }) => unit), matchMedia("(prefers-color-scheme: dark)").matches]);
+        const key = JSON.stringify([quantity.axes, quantity.kind, quantity.name(), triples, this.kept.map(({ name }) => name), theory?.axis, Boolean(banded), time_unit, panels.map(({ unit }) => unit), matchMedia("(prefers-color-scheme: dark)").matches]);
         if (key !== this.key) {
             this.key = key;
             this.plots.forEach((plot) => plot.destroy());
             this.target.replaceChildren();
             const labels = triples.map((_, at) => names[at]).toReversed();
-            this.plots = panels.map((panel, k) => this.make(panel, labels, time_unit, k === panels.length - 1, Boolean(banded)));
+            this.plots = panels.map((panel, k) => this.make(panel, labels, time_unit, k === panels.length - 1, Boolean(banded), theory?.axis === k));
         }
         panels.forEach(({ data, axis, unit }, k) => {
             const plot = this.plots[k], is_whole = !plot.is_zoomed;
@@ -120,12 +122,13 @@ export class Curves {
         this.target.replaceChildren(element("p", { class: "nothing" }, text("no_curves")));
     }
 
-    make({ axis, unit, size, data }, labels, time_unit, is_last, has_band) {
+    make({ axis, unit, size, data }, labels, time_unit, is_last, has_band, has_theory) {
         const { least } = KINDS[this.quantity.kind], ink = colour("ink"), grid = { stroke: colour("grid"), width: 1 };
         const own_axis = { stroke: ink, grid, ticks: grid, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
         const is_two = labels.length === 2;
         const line = (label, stroke, width) => ({ label, stroke: colour(stroke), width, value: (_, value) => (value === null ? "" : `${shown(value, 5)} ${unit}`), points: { show: false } });
         const kept = this.kept.map(({ name }, k) => line(name, `kept${k}`, 1.25));
+        if (has_theory) kept.push({ ...line(text("theory"), "sensors", 5), dash: [12, 12] });
         const edges = has_band ? [text("band", RUNS - 2, RUNS), "…"].map((name) => line(name, "data2", 0.5)) : [];
         const series = [...edges, ...kept, ...labels.map((label, k) => line(label, is_two && k === 0 ? "data1" : "data2", is_two && k === 0 ? 3 : 1.25))];
         const plot = new uPlot(

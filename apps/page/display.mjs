@@ -8,6 +8,7 @@ import { FLYING, PAUSED } from "./flight.mjs";
 import { Indicator, Panel } from "./instruments.mjs";
 import { Track } from "./map.mjs";
 import { element, options, parts, shown, text } from "./texts.mjs";
+import { THEORIES } from "./theory.mjs";
 import { log_of } from "./trajectory.mjs";
 import { answer, duration, rows } from "./values.mjs";
 
@@ -128,11 +129,11 @@ export class Display {
     }
 
     /**
-     * Shows the navigation's error of a name, such as "position", or the chosen one, with marks: [{at_s, name}], over the whole time; and
-     * the axis of the body in three dimensions, or not.
+     * Shows the navigation's error of a name, such as "position", or the chosen one, with marks: [{at_s, name}], over the whole time, and
+     * what theory of a name says; and the axis of the body in three dimensions, or not.
      */
-    look_at(name, marks, with_axis) {
-        this.curves.look_at(marks);
+    look_at(name, marks, theory, with_axis) {
+        this.curves.look_at(marks, () => THEORIES[theory]?.(this.scene) ?? null);
         this.axis.made.hidden = !with_axis;
         const chosen = QUANTITIES.findIndex(({ triples }) => triples[0] === `${name}2`);
         if (chosen >= 0) this.choose(chosen);

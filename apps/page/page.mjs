@@ -270,7 +270,7 @@ class Page {
         this.lesson.replaceChildren(...(lesson ? [lesson_made(lesson, this.scene, () => this.display.fly(), (written) => this.study().ask("step_times", { text: written }))] : []));
         refresh_within(this.lesson);
         this.display.call = () => Array.from(this.lesson.querySelectorAll(".slider output"), (own) => own.value).join(", ");
-        this.display.look_at(shows, (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })), lesson?.axis);
+        this.display.look_at(shows, (lesson?.mark ?? []).map((own) => ({ at_s: own.at_s, name: own[language] })), lesson?.theory, lesson?.axis);
         if (lesson?.shows === "cost") this.lead.after(this.cost.made, this.display.made);
         else this.lead.after(this.display.made, this.cost.made);
     }

@@ -327,6 +327,22 @@ test("sliders by the keyboard, and a slider follows the form", async (context) =
     assert.deepEqual([await tilt.inputValue(), await tilt.getAttribute("aria-valuetext")], ["1", "0.6 arcmin"]);
 });
 
+test("the lesson on coning draws the drift of theory beside the flown one, where the gyros are read once in a sample interval", async (context) => {
+    const page = await opened(context, { hash: "#lesson=coning" }), plot = page.locator(".plots .uplot").last();
+    const [labels, values] = [".u-label", ".u-value"].map((own) => () => plot.locator(own).allInnerTexts());
+    await until(page, /^Finished/);
+    await plot.focus();
+    await page.keyboard.press("End"); // of the ramp, in which theory says nothing
+    for (let pages = 0; pages < 4; pages++) await page.keyboard.press("PageUp");
+    const [, theory, flown] = await values();
+    assert.equal((await labels())[1], "Drift in theory");
+    const [of_theory, of_flown] = [theory, flown].map((own) => Number.parseFloat(own));
+    assert.ok(of_flown > 2 && Math.abs(of_theory / of_flown - 1) < 0.01 && of_theory !== of_flown, `${theory} ${flown}`);
+    await page.screenshot({ path: `${out}/theory.png` });
+    await page.locator('[data-slides="options.subsamples"]').fill("1");
+    await page.waitForFunction(() => !document.querySelector(".plots").innerText.includes("Drift in theory"));
+});
+
 test("the lesson on coning draws the axes of the body: a cone, with half of the roll half as wide, and a plane without roll", async (context) => {
     const page = await opened(context, { hash: "#lesson=coning" }), canvas = page.locator(".axis canvas");
     const told = async () => /up to (\S+)° from the vertical; .* (\S+)° to the right/.exec(await canvas.getAttribute("aria-label")).slice(1).map(Number);

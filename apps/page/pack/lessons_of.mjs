@@ -4,13 +4,15 @@
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
+import { THEORIES } from "../theory.mjs";
+
 const LANGUAGES = ["en", "zh"];
 /** What a lesson shows first. */
 const SHOWS = ["position", "velocity", "misalignment", "cost"];
 /** Keys of lesson.toml, and of each of its lists, with what their value must be. */
 const is_text = (value) => typeof value === "string" && value !== "", is_number = Number.isFinite;
 const KEYS = { order: is_number, shows: (value) => SHOWS.includes(value) };
-const MORE_KEYS = { times: (value) => value === true, axis: (value) => value === true };
+const MORE_KEYS = { times: (value) => value === true, axis: (value) => value === true, theory: (value) => Object.hasOwn(THEORIES, value) };
 const LISTS = {
     mark: { at_s: (value) => is_number(value) && value > 0, en: is_text, zh: is_text },
     slider: { key: is_text, en: is_text, zh: is_text, values: (value) => Array.isArray(value) && value.length > 1 && (value.every(is_number) || value.every(is_text)) },
