@@ -4,7 +4,7 @@ use csv::StringRecord;
 
 use super::guess::guess;
 use super::known::known;
-use super::lines::{cells, names_of, unmarked};
+use super::lines::{cells, names_of, unmarked, with_row_names};
 use super::rows::{is_missing, number};
 use super::words::unit;
 use super::{MAX_COLUMNS, MAX_LINE, Separator};
@@ -58,6 +58,8 @@ impl Grid {
         let (_, separator, place) = best?;
         let row = |line: &&str| cells(line, separator);
         let names = names_of(&row(&lines[place]), separator);
+        let first = lines[place + 1..].iter().find(|line| !line.trim().is_empty());
+        let names = with_row_names(names, first.unwrap_or(&""), separator);
         let comment = if lines[place].starts_with('#') { '!' } else { '#' };
         let is_units = |row: &StringRecord| {
             let count = row.iter().filter(|cell| unit(cell).is_some()).count();

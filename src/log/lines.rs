@@ -60,6 +60,17 @@ pub fn cells(line: &str, separator: Separator) -> StringRecord {
     }
 }
 
+/// The names of columns, with an empty one for the names of rows if only the first row of values has one: R writes these, in quotes, and
+/// no name for them.
+pub fn with_row_names(names: StringRecord, first: &str, separator: Separator) -> StringRecord {
+    let first = first.trim_end();
+    let is_named = first.starts_with('"') && first.matches('"').count() == 2;
+    if !is_named || cells(first, separator).len() != names.len() + 1 {
+        return names;
+    }
+    core::iter::once("").chain(names.iter()).collect()
+}
+
 /// The cells without quotes around them: the reader keeps those that stand behind a blank.
 fn unquoted(row: StringRecord) -> StringRecord {
     if !row.iter().any(|cell| cell.starts_with('"')) {

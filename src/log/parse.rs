@@ -4,7 +4,7 @@ use csv::StringRecord;
 
 use super::columns::{columns, only_place, unread};
 use super::foreign::foreign;
-use super::lines::{cells, check_line, names_of, next_row, reader, single_blanks};
+use super::lines::{cells, check_line, names_of, next_row, reader, single_blanks, with_row_names};
 use super::reading::Reading;
 use super::record::FlightRecord;
 use super::rows::Cells;
@@ -113,6 +113,13 @@ pub fn read_table<T: Take>(
     let line = rows.header(mapping, &mut row)?;
     let has_names = mapping.header > 0;
     let names = if has_names { names_of(&row, mapping.separator) } else { row.clone() };
+    let names = if has_names && mapping.is_foreign() {
+        let rest = text.get(rows.reader.position().byte() as usize..).unwrap_or_default();
+        let first = rest.split(|byte| *byte == b'\n').find(|line| !line.trim_ascii().is_empty());
+        with_row_names(names, &String::from_utf8_lossy(first.unwrap_or_default()), mapping.separator)
+    } else {
+        names
+    };
     let mut taken = begin(&names, line).map_err(|error| with_later_header(error, text, mapping))?;
     let only = only_place(&names, line, mapping)?;
     let header = Header {

@@ -257,6 +257,31 @@ fn what_is_not_whole_is_left_out() {
     assert!(!found.text.contains("speed") && log.samples()[0].v_n.is_some(), "{found:?}");
 }
 
+/// R names the rows in a column without a name.
+#[test]
+fn tables_of_r_have_names_of_rows() {
+    for separator in [",", " ", "\t"] {
+        let names = ["time", "lat", "lon", "alt"].map(|name| format!("\"{name}\"")).join(separator);
+        let row = |k: u32| {
+            [
+                format!("\"{k}\""),
+                k.to_string(),
+                format!("{}", 48.0 + f64::from(k) * 1e-3),
+                "11".into(),
+                "300.5".into(),
+            ]
+        };
+        let rows = (1..20).map(|k| row(k).join(separator) + "\n");
+        let (found, log) = read(&format!("{names}\n{}", rows.collect::<String>()));
+        let place = log.samples()[1].place;
+        assert!(
+            (place.latitude_rad.to_degrees() - 48.002).abs() < 1e-9 && place.height_m == 300.5,
+            "{found:?}"
+        );
+        assert!(found.questions.is_empty() && log.samples().len() == 19, "{found:?}");
+    }
+}
+
 #[test]
 fn of_several_vehicles_one_is_read() {
     let row = |k: u32, who: &str, latitude: f64| format!("{k},{who},{latitude},11,300\n");
