@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::blocks::{Block, Coarseness, End};
 use super::crab::Crab;
+use super::delay::{Banked, HeadingDelay, RollDelay, UPRIGHT};
 use super::direction::Direction;
 use super::finding::{Clue, Level, RADIANS};
 use super::held::{Held, Stretches};
@@ -32,12 +33,6 @@ const OFF_WHILE_ROLL_HELD: f64 = 10.0 * DEG;
 
 /// Blocks of turns that a judgement of the roll needs: in aerobatics half a minute is flown inverted.
 const LEAST_OF_TURNS: f64 = 15.0;
-
-/// Blocks that a delay of the roll needs, delay that matters [s], and correlation that shows it: two thirds of the difference are
-/// explained. Good flights have delays of 0.13 s at most.
-const LEAST_OF_DELAY: f64 = 20.0;
-const DELAY_S: f64 = 0.5;
-const SHOWS_DELAY: f64 = 0.8;
 
 /// Angle off the track of a vehicle that flies sideways, such as a drone whose camera looks to the middle of its circle.
 const SIDEWAYS: f64 = 45.0 * DEG;
@@ -97,24 +92,12 @@ const EQUAL: f64 = 0.1;
 const AS_FAR: core::ops::Range<f64> = 0.4..2.5;
 const ROLLS: f64 = 5.0 * DEG;
 
-/// Bank and roll of a vehicle that does not fly on its back \[rad\].
-const UPRIGHT: f64 = 75.0 * DEG;
-
 /// What is wrong with a pitch that the angle of the path contradicts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PitchFault {
     Opposite,
     Radians,
     HeightInFeet,
-}
-
-/// Bank that the turn needs, and roll, between two blocks.
-#[derive(Debug, Clone, Copy)]
-struct Banked {
-    bank: f64,
-    roll: f64,
-    /// Mean of the roll over both.
-    mean: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -135,6 +118,8 @@ pub(super) struct Attitudes {
     /// Blocks that turn, those of them with the sign of the turn, Σ roll bank, Σ bank², Σ pitch bank, Σ roll².
     turns: [f64; 6],
     pub straight: Straight,
+    heading_delay: HeadingDelay,
+    roll_delay: RollDelay,
     /// Roll on the bank that the turn needs, where it does not stay the same.
     rolls: Regression,
     /// Pitch on the angle of the path, and that of the flight straight on.
@@ -142,13 +127,6 @@ pub(super) struct Attitudes {
     straight_climb: Regression,
     /// Held attitudes, headings, and rolls.
     held: [Stretches; 3],
-    /// The two ends of blocks before, if they follow each other.
-    banked: [Option<Banked>; 2],
-    /// Roll less bank, on the rate of the bank, where that falls and where it grows: the slope is how late the roll is. A heading shows no
-    /// delay: wind turns it in every turn.
-    delays: [Regression; 2],
-    /// The same of the mean of the roll: the bank is one too, so a roll that changes at once has no delay by it.
-    delay_of_means: Regression,
 }
 
 impl Attitudes {
@@ -166,13 +144,12 @@ impl Attitudes {
             differ2: [0.0; 5],
             turns: [0.0; 6],
             straight: Straight::NONE,
+            heading_delay: HeadingDelay::NONE,
+            roll_delay: RollDelay::NONE,
             rolls: Regression::NONE,
             climb: Regression::NONE,
             straight_climb: Regression::NONE,
             held: [Stretches::NONE; 3],
-            banked: [None; 2],
-            delays: [Regression::NONE; 2],
-            delay_of_means: Regression::NONE,
         }
     }
 
@@ -188,7 +165,9 @@ impl Attitudes {
         let speed = hypot(v.x, v.y);
         let least = (40.0 * coarse.horizontal_m / length_s).max(5.0);
         if [first, second].iter().any(|d| hypot(d.x, d.y) < 0.5 * least * length_s) {
-            (self.banked, self.before) = ([None; 2], None);
+            self.before = None;
+            self.roll_delay.pause();
+            self.heading_delay.pause();
             return;
         }
         self.count += 1.0;
@@ -200,7 +179,7 @@ impl Attitudes {
             sum.add(wrap_angle(end.euler.heading * factor - track));
         }
         self.crab.add([v.x, v.y], end.euler.heading);
-        self.add_turn(track, end.euler.heading, roll, speed / (0.5 * length_s * G));
+        self.add_turn(track, end.euler.heading, roll, speed / G, 0.5 * length_s);
         let turn = wrap_angle(atan2(second.x, second.y) - atan2(first.x, first.y));
         let bank = atan(speed * turn / (0.5 * length_s) / G);
         if (5.0 * DEG..75.0 * DEG).contains(&bank.abs()) && sin_cos(pitch).1.abs() > 0.5 {
@@ -230,7 +209,7 @@ impl Attitudes {
             self.held[stretches].add(blocks[0], is_held, turn, limit);
         }
         let mean = (blocks[0].rolled + blocks[1].rolled) / length_s;
-        self.add_banked(Banked { bank, roll, mean }, 0.5 * length_s);
+        self.roll_delay.add(Banked { bank, roll, mean }, 0.5 * length_s);
         let path = atan2(v.z, speed);
         self.straight.add(roll, [pitch, path], bank);
         if speed > 15.0 && roll.abs() < 1.0 && path.abs() < 1.2 && coarse.up_m < 0.02 * speed * length_s {
@@ -241,12 +220,13 @@ impl Attitudes {
         }
     }
 
-    /// `tangent`: that of the bank that a turn by an angle needs, over the angle [1/rad].
-    fn add_turn(&mut self, track: f64, heading: f64, roll: f64, tangent: f64) {
+    /// `tangent`: that of the bank that a turn needs, over its rate [s/rad]; `between_s`: time between two blocks [s].
+    fn add_turn(&mut self, track: f64, heading: f64, roll: f64, tangent: f64, between_s: f64) {
         if let Some([track_before, heading_before]) = self.before {
             let turn = wrap_angle(track - track_before);
             let of_heading = wrap_angle(heading - heading_before);
-            self.straight.add_turn(of_heading, turn, roll, atan(tangent * of_heading));
+            self.straight.add_turn(of_heading, turn, roll, atan(tangent * of_heading / between_s));
+            self.heading_delay.add([turn, of_heading], between_s);
             let with = of_heading * turn;
             self.turned += turn.abs();
             self.turned_with += if with == 0.0 { 0.0 } else { turn.abs().copysign(with) };
@@ -257,19 +237,6 @@ impl Attitudes {
             }
         }
         self.before = Some([track, heading]);
-    }
-
-    /// `between_s`: time from the middle of a block to that of the next [s].
-    fn add_banked(&mut self, now: Banked, between_s: f64) {
-        let is_upright = |at: &Banked| at.bank.abs().max(at.roll.abs()) < UPRIGHT;
-        if let [Some(first), Some(middle)] = self.banked
-            && [first, middle, now].iter().all(is_upright)
-        {
-            let rate = (now.bank - first.bank) / (2.0 * between_s);
-            self.delays[usize::from(rate > 0.0)].add(-rate, middle.roll - middle.bank);
-            self.delay_of_means.add(-rate, middle.mean - middle.bank);
-        }
-        self.banked = [self.banked[1], Some(now)];
     }
 
     /// The stretch of held attitude in which the track turns farthest, if it turns, and how many such there are.
@@ -308,21 +275,14 @@ impl Attitudes {
     }
 
     /// How late the roll is [s], negative if it is early, of a vehicle that banks as an aeroplane.
-    pub fn delay_s(&self) -> Option<f64> {
-        let [into, out_of] = &self.delays;
-        let both = into.with(out_of);
-        let (_, delay_s, correlation) = both.figures();
+    pub fn roll_delay_s(&self) -> Option<f64> {
         let [_, _, mixed, bank2, ..] = self.turns;
-        let banks = (0.5..1.6).contains(&(mixed / bank2));
-        // A slip in a single bend is a delay where the bank grows, and the opposite where it falls.
-        let is_of = |part: &Regression| part.xx > 0.1 * both.xx && part.xy / part.xx / delay_s > 0.5;
-        let (_, of_means_s, _) = self.delay_of_means.figures();
-        let is_shown = banks
-            && of_means_s / delay_s > 0.5
-            && both.count >= LEAST_OF_DELAY
-            && correlation.abs() > SHOWS_DELAY
-            && self.delays.iter().all(is_of);
-        (is_shown && delay_s.abs() > DELAY_S).then_some(delay_s)
+        self.roll_delay.delay_s().filter(|_| (0.5..1.6).contains(&(mixed / bank2)))
+    }
+
+    /// How late its heading is [s].
+    pub fn heading_delay_s(&self) -> Option<f64> {
+        self.heading_delay.delay_s().filter(|_| self.is_aeroplane())
     }
 
     /// Whether there are enough blocks for a judgement.

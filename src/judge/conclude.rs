@@ -371,8 +371,11 @@ impl Judge {
             let own = Finding::new(Kind::AttitudeHeld, Level::Doubtful, held.turn);
             let clue = Clue::Known(name);
             found.add(Finding { at: held.begin, count, clue, ..own });
-        } else if let Some(delay_s) = attitudes.delay_s() {
+        } else if let Some(delay_s) = attitudes.roll_delay_s() {
             found.add(Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s));
+        } else if let Some(delay_s) = attitudes.heading_delay_s() {
+            let own = Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s);
+            found.add(Finding { clue: Clue::Known("heading"), ..own });
         }
         match attitudes.roll() {
             Some((slope, clue @ Clue::Known(_))) => {

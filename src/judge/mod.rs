@@ -9,6 +9,7 @@ mod attitude;
 mod blocks;
 mod conclude;
 mod crab;
+mod delay;
 mod direction;
 mod finding;
 mod held;

@@ -172,10 +172,11 @@ impl fmt::Display for Finding {
                 write!(f, "{what} stays the same from {at} s on, while the track turns by {turn} deg")?;
                 if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
             }
-            (Kind::AttitudeLate, _) => {
+            (Kind::AttitudeLate, clue) => {
+                let name = if let Clue::Known(name) = clue { name } else { "roll" };
                 let word = if self.figure < 0.0 { "early" } else { "late" };
                 let delay = Digits(self.figure.abs());
-                write!(f, "roll is {delay} s too {word} for the turns (is the attitude on another clock?)")
+                write!(f, "{name} is {delay} s too {word} for the turns (is the attitude on another clock?)")
             }
         }?;
         if self.acceleration_m_s2 > 0.0 {

@@ -368,6 +368,23 @@ fn attitudes_on_another_clock_are_found() {
     }
 }
 
+/// A heading alone that is late, where turns begin and end.
+#[test]
+fn headings_on_another_clock_are_found() {
+    for (delay_s, rate_hz) in [(3, 10), (3, 4), (3, 1)] {
+        let late = |samples: &[FlightSample]| {
+            each(samples, |k, sample| {
+                let source = (k as i64 - delay_s * rate_hz).clamp(0, samples.len() as i64 - 1);
+                sample.euler.heading = samples[source as usize].euler.heading;
+            })
+        };
+        // In aerobatics the roll does not show an aeroplane.
+        let mut unseen = missed(&[Kind::AttitudeLate], Level::Doubtful, rate_hz as f64, late);
+        unseen.retain(|name| !name.contains("aerobatics"));
+        assert_eq!(unseen, NONE, "{delay_s} s at {rate_hz} Hz");
+    }
+}
+
 /// A column of headings that is 0, or that stops: roll and pitch go on. In aerobatics the roll does not show an aeroplane.
 #[test]
 fn headings_that_stay_the_same_are_found() {
