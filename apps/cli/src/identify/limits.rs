@@ -9,7 +9,7 @@ const SHORTEST: usize = 3;
 /// its largest value and hold it there.
 const STEPS: f64 = 10.0;
 /// Part of the largest value by which rows of it differ: increments are products.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING: f64 = 1e-14;
 
 /// Leaves out the rows in which a sensor is at the end of its range, and says so.
 pub fn drop_limited(rows: &mut Vec<RecordedIncrement>) -> Vec<String> {

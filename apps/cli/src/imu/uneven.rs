@@ -15,6 +15,8 @@ const LONG_UNEVEN: f64 = 20.0;
 const WHOLE: f64 = 0.25;
 const MOST_WHOLE: [f64; 2] = [0.4, 0.75];
 const MOST_ONES: f64 = 0.7;
+/// Shorter length between a row and those beside it, of the longer one, below which the row is near to one of them.
+const NEAR: f64 = 0.03;
 
 impl Stamps {
     /// Rows that a recorder takes when it comes to it, each some time behind the one before: over many rows the stamps leave equal
@@ -22,6 +24,9 @@ impl Stamps {
     pub fn uneven(&self, times_s: &[f64]) -> Option<Self> {
         // A loop of whole ticks has few steps of one.
         let shortest_s = steps(times_s).fold(f64::INFINITY, f64::min);
+        if shortest_s <= 0.0 {
+            return None; // rows of one stamp have no lengths
+        }
         let ticks = |step_s: f64| step_s / shortest_s;
         let is_of_ticks = |step_s: f64| (ticks(step_s) - ticks(step_s).round()).abs() < EVEN;
         let ones = steps(times_s).filter(|step_s| ticks(*step_s) < LONG).count();
@@ -97,7 +102,8 @@ pub fn between(values: &mut [f64], pieces: &[Range<usize>], lengths_s: &[f64]) {
     for piece in joined(pieces) {
         let (own, length_s) = (values[piece.clone()].to_vec(), &lengths_s[piece.clone()]);
         let last = own.len() - 1;
-        // Of the parabola through a row and those beside it; at the ends that of the line.
+        // Of the parabola through a row and those beside it, or of the chord past a row that is near to one of them, whose noise would be
+        // the slope; at the ends that of the line.
         let slope = |row: usize| {
             let part = |row: usize| (own[row] - own[row - 1]) / length_s[row];
             match row {
@@ -105,6 +111,9 @@ pub fn between(values: &mut [f64], pieces: &[Range<usize>], lengths_s: &[f64]) {
                 _ if row == last => part(row),
                 _ => {
                     let [before, behind] = [length_s[row], length_s[row + 1]];
+                    if before.min(behind) < NEAR * before.max(behind) {
+                        return (own[row + 1] - own[row - 1]) / (before + behind);
+                    }
                     (part(row) * behind + part(row + 1) * before) / (before + behind)
                 }
             }
@@ -159,6 +168,17 @@ mod tests {
             .collect();
         let found = read(&times_s).uneven(&times_s).unwrap();
         assert!((found.interval_s / 0.0125 - 1.0).abs() < 0.05 && found.gaps == 0, "{found:?}");
+    }
+
+    /// A row that is near to the next one does not make its noise a slope.
+    #[test]
+    fn rows_that_are_near_to_each_other_add_no_noise() {
+        let lengths_s: Vec<f64> = (0..1000).map(|k| if k % 5 == 2 { 1e-6 } else { 0.02 }).collect();
+        let noise: Vec<f64> = (0..1000).map(|k| random(k) - 0.5).collect();
+        let mut values = noise.clone();
+        between(&mut values, &[0..500, 500..1000], &lengths_s);
+        let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        assert!(largest < 0.75, "{largest}");
     }
 
     /// The mean of a parabola over each interval is exact but at the ends of a piece.
