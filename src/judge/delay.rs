@@ -4,6 +4,8 @@
 //! turn of the track less τ times its change. What wind adds is a part of the turn itself, and so not correlated with its change where
 //! turns begin and end.
 
+use nalgebra::{Matrix3, Vector3};
+
 use super::regression::Regression;
 use crate::base::units::DEG;
 
@@ -128,39 +130,28 @@ impl HeadingDelay {
 #[derive(Debug, Clone, Copy)]
 struct Beside {
     count: f64,
-    xx: f64,
-    xy: f64,
-    yy: f64,
-    xz: f64,
-    yz: f64,
-    zz: f64,
+    /// Products of x, y and z.
+    sums: Matrix3<f64>,
 }
 
 impl Beside {
-    const NONE: Self = Self { count: 0.0, xx: 0.0, xy: 0.0, yy: 0.0, xz: 0.0, yz: 0.0, zz: 0.0 };
+    const NONE: Self = Self { count: 0.0, sums: Matrix3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0) };
 
     fn add(&mut self, x: f64, z: f64, y: f64) {
-        *self =
-            self.with(&Self { count: 1.0, xx: x * x, xy: x * y, yy: y * y, xz: x * z, yz: y * z, zz: z * z });
+        let values = Vector3::new(x, y, z);
+        *self = self.with(&Self { count: 1.0, sums: values * values.transpose() });
     }
 
     fn with(&self, other: &Self) -> Self {
-        Self {
-            count: self.count + other.count,
-            xx: self.xx + other.xx,
-            xy: self.xy + other.xy,
-            yy: self.yy + other.yy,
-            xz: self.xz + other.xz,
-            yz: self.yz + other.yz,
-            zz: self.zz + other.zz,
-        }
+        Self { count: self.count + other.count, sums: self.sums + other.sums }
     }
 
     /// Slope of y on x, and the correlation of what z leaves of both.
     fn figures(&self) -> (f64, f64) {
-        let of = |sum: f64, one: f64, other: f64| sum - one * other / self.zz;
-        let xx = of(self.xx, self.xz, self.xz);
-        let (xy, yy) = (of(self.xy, self.xz, self.yz), of(self.yy, self.yz, self.yz));
+        let of = |a: usize, b: usize| {
+            self.sums[(a, b)] - self.sums[(a, 2)] * self.sums[(b, 2)] / self.sums[(2, 2)]
+        };
+        let (xx, xy, yy) = (of(0, 0), of(0, 1), of(1, 1));
         (xy / xx, xy / (xx * yy).max(0.0).sqrt())
     }
 }

@@ -11,6 +11,7 @@ import { pathToFileURL } from "node:url";
 
 import { lessons_of, read_by } from "../../apps/page/pack/lessons_of.mjs";
 import { measure } from "../../apps/page/measure.mjs";
+import { THEORIES } from "../../apps/page/theory.mjs";
 
 const { SINS, SINS_MODULE } = process.env;
 const FOLDER = "apps/page/lessons", LESSONS = lessons_of(FOLDER), out = resolve("target/web");
@@ -74,6 +75,19 @@ test("what the lesson on cost says is so: algorithms on both sides of the error 
     sins.scene_set_values(scene, 'options.scheme = "exact"\noptions.subsamples = 1\nflight.rate_hz = 10\n');
     const coarse = measure(sins, scene, null);
     assert.ok(Math.abs(coarse.error_m / sensors.error_m - 1) < 1e-3, `${coarse.error_m} m`); // the error of the sensors alone
+});
+
+test("the line of theory follows the phase and the amplitudes of the cone, and says nothing of other motions", () => {
+    const rate = (changes) => {
+        const values = { "flight.rate_hz": "10", "options.subsamples": "1", "manoeuvre[0].ramp_s": "10", "manoeuvre[0].duration_s": "300" };
+        for (const [k, phase] of [[0, "0"], [1, "90"]]) for (const [key, value] of Object.entries({ amplitude_deg: "5", frequency_hz: "0.5", phase_deg: phase })) values[`manoeuvre[0].sinusoid[${k}].${key}`] = value;
+        return THEORIES.coning({ get: (key) => ({ ...values, ...changes })[key] ?? "" })?.rate ?? null;
+    };
+    const sinusoid = (k, key, value) => ({ [`manoeuvre[0].sinusoid[${k}].${key}`]: value }), whole = rate({});
+    assert.ok(Math.abs(whole * (180 / Math.PI) * 3600 - 40.39) < 0.01, `${whole}`);
+    assert.ok(Math.abs(rate(sinusoid(1, "phase_deg", "0"))) < 1e-18 && Math.abs(rate(sinusoid(1, "phase_deg", "-90")) + whole) < 1e-12);
+    assert.ok(Math.abs(rate(sinusoid(0, "amplitude_deg", "2.5")) / whole - 0.5) < 1e-12);
+    assert.deepEqual([rate(sinusoid(1, "frequency_hz", "1")), rate({ "options.subsamples": "2" }), rate(sinusoid(1, "amplitude_deg", ""))], [null, null, null]);
 });
 
 test("what the lesson on coning says is so: the drift of theory, and what makes it smaller", () => {

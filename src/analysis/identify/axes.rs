@@ -39,7 +39,7 @@ const LEFT_HANDED: &str = "correlation with the path in left-handed axes, which 
 pub struct Axes {
     /// Signed permutation without reflection.
     pub exchange: Matrix3<f64>,
-    /// Whether the motion excludes all other exchanges.
+    /// Whether the motion excludes all other exchanges, or tells a rotation that is far from each.
     pub is_seen: bool,
 }
 

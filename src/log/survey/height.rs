@@ -36,7 +36,9 @@ impl Draft<'_> {
         let name = excerpt(name);
         let numbers = self.numbers("height").unwrap_or_default();
         let highest = largest(&numbers);
-        let is_below = numbers.iter().all(|height| *height < 0.0) && highest > DEEPEST_M;
+        let unit = if is_in_feet { "ft" } else { self.found("height").map_or("", |found| found.unit) };
+        let size = unit_of(Dimension::Length, unit).map_or(1.0, |(_, size)| size);
+        let is_below = numbers.iter().all(|height| *height < 0.0) && highest * size > DEEPEST_M;
         let is_ground = name.to_lowercase().contains("elev");
         let other = self.other_height(place).filter(|_| is_ground);
         let answer =
@@ -45,22 +47,24 @@ impl Draft<'_> {
             let answers = [("ft", 0.3048), ("m", 1.0)].map(answer).to_vec();
             (answers, format!("{name} is in feet in most tables: what is its unit?"))
         } else if is_below {
-            let down = format!("height = {}  # it counts down", self.column(place, ", sign = -1"));
-            let up = format!("height = {}  # under water", self.column(place, ""));
-            (vec![down, up], format!("{name} is below any land, down to {highest:.0} below 0"))
-        } else if let Some(other) = other {
+            let part = if unit.is_empty() { String::new() } else { format!(", unit = \"{unit}\"") };
+            let down =
+                format!("height = {}  # it counts down", self.column(place, &format!("{part}, sign = -1")));
+            let up = format!("height = {}  # under water", self.column(place, &part));
+            (vec![down, up], format!("{name} is below any land: {:.0} m", -highest * size))
+        } else if let Some(other) = other.filter(|_| !is_known) {
             let of = |place: usize| self.answers_of(place);
             let answers = [place, other].into_iter().flat_map(of).collect();
             (
                 answers,
                 format!("{name} may be that of the ground, beside {}", excerpt(&self.grid.names[other])),
             )
-        } else if !is_stated && !is_in_feet && !is_known && highest <= HIGHEST_M && self.is_of_pilots() {
+        } else if !is_stated && !is_in_feet && !is_known && highest <= HIGHEST_M && self.has_knots() {
             let mut answers = [("ft", 0.3048), ("m", 1.0)].map(answer).to_vec();
             if highest < HIGHEST_LEVEL {
                 answers.push(self.answer_of_height(place, LEVEL.0, LEVEL.1));
             }
-            (answers, format!("{name} has no unit, and the table has units of pilots"))
+            (answers, format!("{name} has no unit, and other columns have knots or feet per minute"))
         } else if !is_stated && highest > HIGHEST_M {
             let units = [("mm", 1e-3), ("cm", 1e-2), ("ft", 0.3048)];
             let is_flown = |(_, size): &(&str, f64)| highest * size <= HIGHEST_M;
@@ -99,7 +103,7 @@ impl Draft<'_> {
     }
 
     /// Whether a column of the table has knots or feet per minute.
-    fn is_of_pilots(&self) -> bool {
+    fn has_knots(&self) -> bool {
         let unit = |name: &str| unit_in_name(name, Dimension::Speed);
         self.grid.names.iter().any(|name| matches!(unit(name), Some("kt" | "ft/min")))
     }

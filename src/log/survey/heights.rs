@@ -19,6 +19,11 @@ fn a_height_below_any_land_is_asked_about() {
     assert!(found.questions[0].answers[0].contains("sign = -1"), "{found:?}");
     let (found, samples) = look(&of(&|row| row[3] - 900.0));
     assert!(samples.is_ok() && found.questions.is_empty(), "{found:?}");
+    let in_feet = |height_ft: f64| of(&|_| height_ft).replace("height (m)", "height (ft)");
+    let (found, samples) = look(&in_feet(-1250.0));
+    assert!(samples.is_ok() && found.questions.is_empty(), "{found:?}");
+    let found = assert_asks(&in_feet(-3000.0), "below any land: -914 m");
+    assert!(found.questions[0].answers[0].contains("unit = \"ft\", sign = -1"), "{found:?}");
 }
 
 #[test]
@@ -44,7 +49,7 @@ fn a_height_without_a_unit_beside_knots_is_asked_about() {
             format!("{:.1},{},{:.2},{:.2}", row[0], place(row), row[3] / size, row[4] / 0.514_444)
         })
     };
-    let found = assert_asks(&of("time,lat,lon,altitude,gs (kt)", 0.3048), "units of pilots");
+    let found = assert_asks(&of("time,lat,lon,altitude,gs (kt)", 0.3048), "knots or feet per minute");
     let answers = found.questions[0].answers.len();
     let levels = assert_asks(&of("time,lat,lon,altitude,gs (kt)", 30.48), "scale = 30.48");
     assert_eq!(levels.questions[0].answers.len(), answers + 1, "{found:?} {levels:?}");

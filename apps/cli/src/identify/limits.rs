@@ -3,12 +3,12 @@
 use sins::analysis::identify::RecordedIncrement;
 use sins::units::STANDARD_GRAVITY as G;
 
-/// Rows in which a signal stands at its largest value, in one go: the shortest such stretch.
+/// Shortest stretch of rows in which a signal keeps its largest value at an end of its range.
 const SHORTEST: usize = 3;
-/// Least change of the signal in a row before or behind it, in least changes of the record: noise does not bring a signal of few steps to
-/// its largest value and hold it there.
+/// Least distance of the signal from the end beside such a stretch, in the smallest changes of the record. At rest a quantized signal may
+/// keep its largest value by chance, and is one quantum off beside it.
 const STEPS: f64 = 10.0;
-/// Part of the largest value by which rows of it differ: increments are products.
+/// Part of the largest value by which equal values differ: they are products.
 const ROUNDING: f64 = 1e-14;
 
 /// Leaves out the rows in which a sensor is at the end of its range, and says so.

@@ -111,7 +111,11 @@ impl Log {
         let (pieces, mut remarks) =
             (stamps.pieces.iter().map(Range::len).collect(), remarks(&stamps, is_spaced));
         if repeats > 0 {
-            remarks.push(format!("{repeats} rows that repeat the one before are left out"));
+            let rows = if repeats == 1 { "row that repeats" } else { "rows that repeat" };
+            remarks.push(format!(
+                "{repeats} {rows} the one before {} left out",
+                if repeats == 1 { "is" } else { "are" }
+            ));
         }
         if let Some((count, line)) = rows.left_out {
             let rows = if count == 1 { "row without a value is" } else { "rows without a value are" };

@@ -14,9 +14,9 @@ pub const FEW: usize = 5;
 /// Largest number of gaps, as a part of the rows: more of them are stamps that come in batches, each as late as the last row of its batch.
 const MOST_GAPS: f64 = 0.1;
 
-/// Stamps of rows without gaps are off a line by at most these numbers of times as much as their steps are off the interval: by 0.7 times
-/// where they are late by chance, and by more where they wait for each other, as where steps are off by a part of the interval. A single
-/// row that is lost is not told among those.
+/// How far stamps of rows without gaps are off a line at most, over how far their steps are off the interval, in root mean squares. Stamps
+/// that are late independently have 0.7. Where steps are off by more than a part of the interval, rows wait for each other, and the second
+/// limit holds: a single lost row is not told there.
 const SCATTERS: [f64; 2] = [0.9, 1.5];
 const LATE: f64 = 0.6;
 
@@ -272,14 +272,11 @@ fn gaps(times_s: &[f64], interval_s: f64) -> Vec<(usize, usize)> {
         let long = steps(times_s).enumerate().filter(|(_, step)| is_long(step));
         return long.map(|(row, step)| (row, (step / interval_s).round() as usize - 1)).collect();
     }
-    let apart = 2 * times_s.len() / (1 + steps(times_s).filter(is_long).count());
-    let rows = if apart > MOST_ROWS { ROWS } else { apart.max(ROWS) };
+    let long = steps(times_s).filter(is_long).count();
     let mut gaps = Vec::new();
     let mut begin = 0;
     for (row, step) in steps(times_s).enumerate().filter(|(_, step)| is_long(step)) {
-        // Rows that waited as long are all written then, each less late than the one before.
-        let waited = (2.0 * step / interval_s).min(MOST_ROWS as f64) as usize;
-        let rows = rows.max(waited);
+        let rows = rows_beside(times_s.len(), long, step / interval_s);
         // When the row was due, by the stamps before and behind it: the earliest, as stamps are late rather than early.
         let before =
             (begin.max(row.saturating_sub(rows))..=row).map(|k| times_s[k] + (row - k) as f64 * interval_s);
@@ -296,6 +293,14 @@ fn gaps(times_s: &[f64], interval_s: f64) -> Vec<(usize, usize)> {
         }
     }
     gaps
+}
+
+/// Number of rows before and behind one of `long` long steps that are looked at. Rows that waited for it are all written then, each less
+/// late than the one before.
+fn rows_beside(rows: usize, long: usize, waited: f64) -> usize {
+    let apart = 2 * rows / (1 + long);
+    let usual = if apart > MOST_ROWS { ROWS } else { apart.max(ROWS) };
+    usual.max((2.0 * waited).min(MOST_ROWS as f64) as usize).min(usual.max(2 * apart))
 }
 
 #[cfg(test)]
@@ -395,6 +400,18 @@ pub mod tests {
             assert!(batches.jitter > 1.0);
             let lossy = stamps(|k| (500..600).contains(&k), late);
             assert_eq!((lossy.pieces, lossy.lost), (vec![0..500, 500..900], 100));
+        }
+    }
+
+    /// However many steps are long, and however long, the rows beside them are a few times those of the record.
+    #[test]
+    fn rows_beside_long_steps_are_bounded() {
+        let rows = 1_000_000;
+        for long in [1, 100, 1000, 10_000, 500_000] {
+            for waited in [1.5, 40.0, 1e9, f64::INFINITY] {
+                let looked = long * rows_beside(rows, long, waited);
+                assert!(looked <= 20 * long + 5 * rows, "{long} {waited}: {looked}");
+            }
         }
     }
 
