@@ -384,14 +384,4 @@ fn largest(values: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
-mod attitudes;
-#[cfg(test)]
-mod conventions;
-#[cfg(test)]
-mod heights;
-#[cfg(test)]
-mod nulls;
-#[cfg(test)]
-mod stamps;
-#[cfg(test)]
 pub mod tests;

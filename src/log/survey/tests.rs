@@ -1,5 +1,12 @@
 //! Tables that are looked at, and read as the look says.
 
+mod attitudes;
+mod conventions;
+mod heights;
+mod letters;
+mod nulls;
+mod stamps;
+
 use super::super::FlightLog;
 use super::*;
 use crate::scene::Scene;

@@ -1,8 +1,8 @@
 //! One flight in the conventions of many loggers: it is read where it was flown, or asked about.
 
-use super::super::{FlightLog, LogError};
-use super::motion::{READINGS, Reading};
-use super::*;
+use super::super::super::{FlightLog, LogError};
+use super::super::motion::{READINGS, Reading};
+use super::super::*;
 use crate::scene::Scene;
 use crate::truth::FlightSample;
 

@@ -1,6 +1,6 @@
 //! One flight with the attitudes of many loggers: each is read as it was flown, or asked about.
 
-use super::super::FlightLog;
+use super::super::super::FlightLog;
 use super::conventions::{Row, assert_asks, flight, look, table, written};
 use crate::scene::Scene;
 use crate::truth::FlightSample;
