@@ -6,8 +6,6 @@ mod part;
 mod read;
 mod snapshot;
 pub mod statistics;
-#[cfg(test)]
-mod subnormal;
 
 use crate::base::error::{Error, ErrorKind, Rule, check_integer};
 use crate::base::memory::{probe, room};
@@ -194,4 +192,9 @@ fn of_runs(error: Error, runs: usize, bytes: Option<usize>) -> Error {
         }
         _ => error,
     }
+}
+
+#[cfg(test)]
+mod tests {
+    mod subnormal;
 }

@@ -1,6 +1,6 @@
 //! The findings that follow from the statistics.
 
-use super::attitude::PitchFault;
+use super::attitude::{Attitudes, PitchFault};
 use super::blocks::Level as BlockLevel;
 use super::finding::{Clue, Finding, Kind, Level, MIRRORED, RADIANS};
 use super::held::Held;
@@ -365,18 +365,7 @@ impl Judge {
             let own = Finding::new(Kind::AttitudeTurned, Level::Doubtful, angle);
             found.add(Finding { clue: Clue::Known(name), ..own });
         }
-        let of = |held: Option<(Held, u64)>, name: &'static str| held.map(|held| (held, name));
-        let held = of(attitudes.held(), "attitude").or(of(attitudes.heading_held(), "heading"));
-        if let Some(((held, count), name)) = held.or(of(attitudes.roll_held(), "roll")) {
-            let own = Finding::new(Kind::AttitudeHeld, Level::Doubtful, held.turn);
-            let clue = Clue::Known(name);
-            found.add(Finding { at: held.begin, count, clue, ..own });
-        } else if let Some(delay_s) = attitudes.roll_delay_s() {
-            found.add(Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s));
-        } else if let Some(delay_s) = attitudes.heading_delay_s() {
-            let own = Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s);
-            found.add(Finding { clue: Clue::Known("heading"), ..own });
-        }
+        find_held_or_late(attitudes, found);
         match attitudes.roll() {
             Some((slope, clue @ Clue::Known(_))) => {
                 found.add(Finding { clue, ..Finding::new(Kind::RollSign, Level::Unusable, slope) });
@@ -407,5 +396,21 @@ impl Judge {
                 }
             }
         }
+    }
+}
+
+/// Angles that stay the same in a turn, or come late.
+fn find_held_or_late(attitudes: &Attitudes, found: &mut Findings) {
+    let of = |held: Option<(Held, u64)>, name: &'static str| held.map(|held| (held, name));
+    let held = of(attitudes.held(), "attitude").or(of(attitudes.heading_held(), "heading"));
+    if let Some(((held, count), name)) = held.or(of(attitudes.roll_held(), "roll")) {
+        let own = Finding::new(Kind::AttitudeHeld, Level::Doubtful, held.turn);
+        let clue = Clue::Known(name);
+        found.add(Finding { at: held.begin, count, clue, ..own });
+    } else if let Some(delay_s) = attitudes.roll_delay_s() {
+        found.add(Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s));
+    } else if let Some(delay_s) = attitudes.heading_delay_s() {
+        let own = Finding::new(Kind::AttitudeLate, Level::Doubtful, delay_s);
+        found.add(Finding { clue: Clue::Known("heading"), ..own });
     }
 }

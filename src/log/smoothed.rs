@@ -92,15 +92,7 @@ impl FlightLog {
             })?);
             lines.extend(self.line(row));
         }
-        let mut rows = room(self.samples.len()).map_err(LogError::Memory)?;
-        for FlightSample { time_s, place, .. } in &self.samples {
-            // Rows from before the first fix are before the path.
-            let Ok(path) = smoothed.sample_at(*time_s) else { continue };
-            let (d_e, axes) = earth.displacement(place, &path.place);
-            let [east, north, _] = axes.map(|axis| axis.dot(&d_e));
-            let residual_n = Vector3::new(east, north, place.height_m - path.place.height_m);
-            rows.push(RowOfPath { time_s: *time_s, place: *place, residual_n });
-        }
+        let rows = self.rows_of_path(earth, &smoothed)?;
         let had_velocities = self.samples[0].v_n.is_some();
         let said = said(&smoothed, had_velocities, &rows).into_iter();
         let said = said.map(|sentence| Fault { sentence, ..Fault::default() });
@@ -129,6 +121,20 @@ impl FlightLog {
 }
 
 impl FlightLog {
+    /// The rows, and how far each is from the path.
+    fn rows_of_path(&self, earth: &Earth, smoothed: &Smoothed) -> Result<Vec<RowOfPath>, LogError> {
+        let mut rows = room(self.samples.len()).map_err(LogError::Memory)?;
+        for FlightSample { time_s, place, .. } in &self.samples {
+            // Rows from before the first fix are before the path.
+            let Ok(path) = smoothed.sample_at(*time_s) else { continue };
+            let (d_e, axes) = earth.displacement(place, &path.place);
+            let [east, north, _] = axes.map(|axis| axis.dot(&d_e));
+            let residual_n = Vector3::new(east, north, place.height_m - path.place.height_m);
+            rows.push(RowOfPath { time_s: *time_s, place: *place, residual_n });
+        }
+        Ok(rows)
+    }
+
     /// The worst that is found in rows that no path can be fitted to, as the end of a sentence.
     fn what_may_be_the_cause(&self, earth: &Earth) -> String {
         let judged = Judge::new(*earth, f64::INFINITY).ok().and_then(|mut judge| {
@@ -141,18 +147,6 @@ impl FlightLog {
 
 /// What was done, in lines.
 fn said(smoothed: &Smoothed, had_velocities: bool, rows: &[RowOfPath]) -> Vec<String> {
-    let thousandths = |value: f64| (value * 1e3).round() / 1e3;
-    let part = |name: &str, part: &SmoothedPart, unit: &str, si: f64| {
-        format!(
-            "{name}: motion above {} Hz is lost; noise {} {unit}; {} outlier{}; largest residual {} {unit} at {} s",
-            thousandths(part.cutoff_hz),
-            digits(part.noise / si),
-            part.outliers,
-            if part.outliers == 1 { "" } else { "s" },
-            digits(part.largest / si),
-            thousandths(part.largest_at_s)
-        )
-    };
     // The rows that are left out are far from a path that is wrong.
     let all = |part: &SmoothedPart, of: fn(&RowOfPath) -> f64| {
         let farthest = rows.iter().max_by(|a, b| of(a).total_cmp(&of(b)));
@@ -165,8 +159,8 @@ fn said(smoothed: &Smoothed, had_velocities: bool, rows: &[RowOfPath]) -> Vec<St
     let (position, height) = (smoothed.position(), smoothed.height());
     let horizontal = |row: &RowOfPath| hypot(row.residual_n.x, row.residual_n.y);
     let mut lines = vec![
-        part("position", &position, "m", 1.0) + &all(&position, horizontal),
-        part("height", &height, "m", 1.0) + &all(&height, |row| row.residual_n.z.abs()),
+        of_part("position", &position, "m", 1.0) + &all(&position, horizontal),
+        of_part("height", &height, "m", 1.0) + &all(&height, |row| row.residual_n.z.abs()),
     ];
     if let Some((count, interval_s)) = smoothed.corrections {
         let interval_s = thousandths(interval_s);
@@ -182,7 +176,7 @@ fn said(smoothed: &Smoothed, had_velocities: bool, rows: &[RowOfPath]) -> Vec<St
             100.0 * gliders
         ));
     } else {
-        lines.push(part("attitude", &smoothed.attitude(), "deg", DEG));
+        lines.push(of_part("attitude", &smoothed.attitude(), "deg", DEG));
     }
     if smoothed.left_out > 0 {
         lines.push(format!(
@@ -202,6 +196,23 @@ fn said(smoothed: &Smoothed, had_velocities: bool, rows: &[RowOfPath]) -> Vec<St
             .push("the velocities of the log are not used: those of the path are its derivatives".to_owned());
     }
     lines
+}
+
+/// What was done to a part.
+fn of_part(name: &str, part: &SmoothedPart, unit: &str, si: f64) -> String {
+    format!(
+        "{name}: motion above {} Hz is lost; noise {} {unit}; {} outlier{}; largest residual {} {unit} at {} s",
+        thousandths(part.cutoff_hz),
+        digits(part.noise / si),
+        part.outliers,
+        if part.outliers == 1 { "" } else { "s" },
+        digits(part.largest / si),
+        thousandths(part.largest_at_s)
+    )
+}
+
+fn thousandths(value: f64) -> f64 {
+    (value * 1e3).round() / 1e3
 }
 
 /// A number with two significant digits.

@@ -48,11 +48,10 @@ pub use write::ChangedKey;
 
 use crate::log::LogMapping;
 
-use crate::analysis::budget::BudgetEffect;
 use crate::base::error::{Error, Rule, check_integer};
 use crate::base::memory::room;
 use crate::sensors::{Failure, SensorOutput};
-use crate::simulator::{ErrorParameters, Options, Simulator};
+use crate::simulator::{BudgetEffect, ErrorParameters, Options, Simulator};
 use crate::truth::flight::{Flight, FlightStart, MAX_MANOEUVRES, Manoeuvre};
 
 /// Largest size of a scene's text [bytes].

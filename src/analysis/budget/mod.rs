@@ -27,16 +27,14 @@
 
 mod contribution;
 mod costs;
-mod effect;
 mod flight;
 mod interval;
 mod request;
 mod selection;
 mod survey;
 
-pub use crate::simulator::ErrorParameters;
+pub use crate::simulator::{BudgetEffect, EFFECTS, ErrorParameters};
 pub use costs::{Costs, step_costs_ns};
-pub use effect::{BudgetEffect, EFFECTS};
 pub use flight::{ComputedSamples, MAX_SAMPLES, MIN_SAMPLES};
 pub use interval::SigmaInterval;
 pub use request::BudgetRequest;

@@ -113,6 +113,12 @@ impl Sums {
         self.along(axes) / self.ideal
     }
 
+    /// Size of the record over that of the path, the means with them.
+    fn size_with_mean(&self) -> f64 {
+        let of = |squares: f64, mean: Vector3<f64>| (squares / self.count).sqrt().max(mean.norm());
+        of(self.recorded, self.means.0) / of(self.ideal, self.means.1)
+    }
+
     fn along(&self, axes: &Matrix3<f64>) -> f64 {
         axes.component_mul(&self.cross).sum()
     }
@@ -205,25 +211,16 @@ pub(super) fn find(
     let quality = if gyro.possible() > 0.5 { quality(&gyro, &turned) } else { quality(&accel, &forced) };
     let is_same = quality > OF_POSSIBLE;
     let is_at_rest = gyro.recorded < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
-    let other_motion = || {
-        let rule = Rule::Sentence(
-            "correlation of its rates with those of the path at the best shift of the clock: of another motion, or of sensors that are held or beyond their range",
-        );
-        Error::invalid("record.motion", correlation, rule)
-    };
     if (is_moving && !is_same) || (!is_moving && !is_at_rest) {
-        return Err(other_motion());
+        return Err(other_motion(correlation));
     }
     // Forces of another motion have other sizes: a unit is blamed only if the rates are certain.
-    let (recorded, ideal) = (accel.means.0.norm(), accel.means.1.norm());
-    let forces = (accel.recorded / accel.count).sqrt().max(recorded);
-    let size = forces / (accel.ideal / accel.count).sqrt().max(ideal);
     check_size(
         "record.velocity",
-        size,
+        accel.size_with_mean(),
         "size of the forces of the record over that of the path; 0.7 to 1.4 in the same unit and within the range of the sensors",
     )
-    .map_err(|error| if is_moving && correlation <= SAME { other_motion() } else { error })?;
+    .map_err(|error| if is_moving && correlation <= SAME { other_motion(correlation) } else { error })?;
 
     let bias = hypot(TILT * STANDARD_GRAVITY, prior.accel_bias);
     // Chi-square of an exchange: the rest over its least value, and the means by the biases that sensors may have.
@@ -233,19 +230,8 @@ pub(super) fn find(
     // The rates alone say which exchanges are possible; forces that oppose the path in all of them are reversed.
     let turns_as_well = |axes: &Matrix3<f64>| of(&gyro, axes) < of(&gyro, &turned) + EXCLUDED;
     let could_be = || Axes::exchanges().filter(turns_as_well).chain(is_turned.then_some(rotation));
-    let opposes = |axes: Matrix3<f64>| accel.means.0.dot(&(axes * accel.means.1)) < -0.5 * recorded * ideal;
-    let is_large = ideal > LARGE_MEAN * bias;
-    if correlation > SAME && is_large && could_be().all(opposes) {
-        let rule = Rule::Sentence("along the forces of the path: the specific forces have the opposite sign");
-        return Err(Error::invalid("record.velocity", -recorded, rule));
-    }
-    // Where the mean force is small, the changes of the forces tell that all three are reversed.
-    let is_reversed = |mirrored: Matrix3<f64>| correlation > SAME && could_be().all(|axes| axes == -mirrored);
-    if let Some(mirrored) = accel.left_handed().filter(|mirrored| is_reversed(*mirrored)) {
-        let rule = Rule::Sentence(
-            "correlation with the forces of the path: the specific forces have the opposite sign",
-        );
-        return Err(Error::invalid("record.velocity", -accel.correlation(&mirrored), rule));
+    if correlation > SAME {
+        check_direction(&accel, bias, could_be)?;
     }
     accel.check_hand("record.velocity")?;
     if let Some(exchange) = given {
@@ -262,6 +248,33 @@ pub(super) fn find(
     let identity = Matrix3::identity();
     let exchange = if possible(&identity) { identity } else { exchange };
     Ok(Match { axes: Axes { exchange, is_seen }, is_moving })
+}
+
+fn other_motion(correlation: f64) -> Error {
+    let rule = Rule::Sentence(
+        "correlation of its rates with those of the path at the best shift of the clock: of another motion, or of sensors that are held or beyond their range",
+    );
+    Error::invalid("record.motion", correlation, rule)
+}
+
+/// Rejects forces that are reversed with each exchange that could be, for biases of this size.
+fn check_direction<I: Iterator<Item = Matrix3<f64>>>(
+    accel: &Sums,
+    bias: f64,
+    could_be: impl Fn() -> I,
+) -> Result<(), Error> {
+    let (recorded, ideal) = (accel.means.0.norm(), accel.means.1.norm());
+    let opposes = |axes: Matrix3<f64>| accel.means.0.dot(&(axes * accel.means.1)) < -0.5 * recorded * ideal;
+    if ideal > LARGE_MEAN * bias && could_be().all(opposes) {
+        let rule = Rule::Sentence("along the forces of the path: the specific forces have the opposite sign");
+        return Err(Error::invalid("record.velocity", -recorded, rule));
+    }
+    // Where the mean force is small, the changes of the forces tell that all three are reversed.
+    let is_reversed = |mirrored: &Matrix3<f64>| could_be().all(|axes| axes == -mirrored);
+    let Some(mirrored) = accel.left_handed().filter(is_reversed) else { return Ok(()) };
+    let rule =
+        Rule::Sentence("correlation with the forces of the path: the specific forces have the opposite sign");
+    Err(Error::invalid("record.velocity", -accel.correlation(&mirrored), rule))
 }
 
 /// The exchange nearest to a rotation, or along sums of products best.

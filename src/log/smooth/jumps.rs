@@ -94,21 +94,26 @@ pub(super) fn without_jumps(
     if median(jumps.iter().map(|&jump| near(jump)))? > LEFT * size_m {
         return Ok(None);
     }
+    add_low_frequencies(&mut drifting, places, (REACH * interval_s / period_s).round() as usize)?;
+    Ok(Some(Corrections { places: drifting, count: jumps.len() as u64, interval_s }))
+}
+
+/// Adds the low frequencies of the path with the jumps less the one without.
+fn add_low_frequencies(drifting: &mut [Place], places: &[Place], reach: usize) -> Result<(), Error> {
     let mut low: Vec<Place> = room(places.len())?;
     low.extend(
         places
             .iter()
-            .zip(&drifting)
+            .zip(&*drifting)
             .map(|(a, b)| core::array::from_fn::<f64, 4, _>(|axis| a[axis] - b[axis])),
     );
-    let reach = (REACH * interval_s / period_s).round() as usize;
     for _ in 0..3 {
         low = means(&low, reach)?;
     }
     for (place, low) in drifting.iter_mut().zip(&low) {
         (0..4).for_each(|axis| place[axis] += low[axis]);
     }
-    Ok(Some(Corrections { places: drifting, count: jumps.len() as u64, interval_s }))
+    Ok(())
 }
 
 /// The same of the heights alone.

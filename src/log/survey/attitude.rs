@@ -88,6 +88,11 @@ impl Draft<'_> {
                     .ask_for_attitude(units, "no angle of the attitude is above 6.28: are they radians?");
             }
         };
+        self.take_attitude(unit);
+    }
+
+    /// Reads the attitude in this unit, and says so.
+    fn take_attitude(&mut self, unit: &str) {
         for key in ATTITUDE {
             let Some(place) = self.place(key) else { continue };
             let part = if unit == "rad" { ", unit = \"rad\"" } else { "" };

@@ -26,21 +26,8 @@ impl Draft<'_> {
         let time_si = self.time_si();
         let degrees = &READINGS[0];
         let is_possible = motion.first_place(degrees, false).is_some();
-        let is_whole =
-            || motion.rows.iter().all(|row| row.latitude.fract() == 0.0 && row.longitude.fract() == 0.0);
         if is_known {
-            if !is_possible && is_whole() {
-                self.take([latitude, longitude], &READINGS[6], "");
-            } else if !is_possible {
-                self.ask_for_position([latitude, longitude], &motion, time_si);
-            } else if self.value("roll").is_some_and(|roll| roll.contains("unit = \"rad\"")) {
-                // Beside angles in radians, a small position may be in radians too.
-                let is_small = |row: &Row| row.latitude.abs() <= FRAC_PI_2 && row.longitude.abs() <= PI;
-                if motion.rows.iter().all(is_small) {
-                    self.ask_for_radians([latitude, longitude], &motion);
-                }
-            }
-            return;
+            return self.known_position([latitude, longitude], &motion, is_possible);
         }
         let is_timed = motion.is_timed && self.value("time").is_some();
         let fit = motion.fit(degrees, false, time_si);
@@ -79,6 +66,22 @@ impl Draft<'_> {
                 self.doubt(format!("the positions move {course_deg:.0} deg off the course of the table"));
             }
             None => self.ask_for_position([latitude, longitude], &motion, time_si),
+        }
+    }
+
+    /// The position of a known format, which may be degrees in each.
+    fn known_position(&mut self, columns: [usize; 2], motion: &Motion, is_possible: bool) {
+        let is_whole = |row: &Row| row.latitude.fract() == 0.0 && row.longitude.fract() == 0.0;
+        if !is_possible && motion.rows.iter().all(is_whole) {
+            self.take(columns, &READINGS[6], "");
+        } else if !is_possible {
+            self.ask_for_position(columns, motion, self.time_si());
+        } else if self.value("roll").is_some_and(|roll| roll.contains("unit = \"rad\"")) {
+            // Beside angles in radians, a small position may be in radians too.
+            let is_small = |row: &Row| row.latitude.abs() <= FRAC_PI_2 && row.longitude.abs() <= PI;
+            if motion.rows.iter().all(is_small) {
+                self.ask_for_radians(columns, motion);
+            }
         }
     }
 

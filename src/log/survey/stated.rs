@@ -21,6 +21,11 @@ impl Draft<'_> {
 
     /// Asks about units that are stated and not understood: they are not those that the quantities have without one.
     pub(super) fn unknown_units(&mut self) {
+        self.unknown_units_of_places();
+        self.unknown_units_of_groups();
+    }
+
+    fn unknown_units_of_places(&mut self) {
         for key in ["time", "latitude", "longitude", "height"] {
             let is_text = key == "time" && self.value("time_format").is_some();
             let Some(place) = self.place(key).filter(|_| self.value(key).is_some() && !is_text) else {
@@ -60,6 +65,9 @@ impl Draft<'_> {
                 answers,
             });
         }
+    }
+
+    fn unknown_units_of_groups(&mut self) {
         for group in VELOCITIES.into_iter().chain([ATTITUDE]) {
             if !self.has_all(&group) {
                 continue;

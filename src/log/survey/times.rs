@@ -178,12 +178,7 @@ impl Draft<'_> {
         }
         let degrees = &READINGS[0];
         let motion = motion.filter(|motion| motion.first_place(degrees, false).is_some());
-        // So slow are boats and balloons: smaller units make vehicles of them, at rates that hardly a log has.
-        let is_slow = motion.as_ref().is_some_and(|motion| {
-            let speed = motion.speed(degrees, false, 1.0).unwrap_or(0.0);
-            (SLOWEST..*SPEEDS.start()).contains(&speed)
-                && motion.rate_hz(1.0).is_some_and(|rate_hz| rate_hz > RARE_HZ)
-        });
+        let is_slow = motion.as_ref().is_some_and(is_slow);
         for (unit, part, si) in UNITS.into_iter().take(4) {
             let Some(motion) = &motion else { break };
             if !is_rate(motion, si) || !self.is_of_clock(place, si) {
@@ -218,8 +213,20 @@ impl Draft<'_> {
         if is_slow {
             return Some("");
         }
+        if self.has_unusual_unit(place, motion.as_ref()) {
+            self.open_time = Some((
+                place,
+                format!("{name} has no usual unit with which the positions are those of a vehicle"),
+            ));
+            return None;
+        }
+        Some(self.unit_of_steps(place))
+    }
+
+    /// Whether the positions are those of a vehicle in a unit that clocks hardly have, and in no usual one.
+    fn has_unusual_unit(&self, place: usize, motion: Option<&Motion>) -> bool {
         let is_vehicle = |si: f64| {
-            let speed = motion.as_ref().and_then(|motion| motion.speed(degrees, false, si));
+            let speed = motion.and_then(|motion| motion.speed(&READINGS[0], false, si));
             speed.is_some_and(|speed| SPEEDS.contains(&speed))
         };
         // Minutes, hours and days have decimals.
@@ -227,13 +234,11 @@ impl Draft<'_> {
         let is_of_clock = |(.., si): &(&str, &str, f64)| self.is_of_clock(place, *si);
         let is_of_no_clock = UNITS[..4].iter().any(|unit| is_vehicle(unit.2) && !is_of_clock(unit));
         let is_unusual = |unit: &(&str, &str, f64)| is_vehicle(unit.2) && is_of_clock(unit);
-        if (has_decimals() || is_of_no_clock) && UNITS[4..].iter().any(is_unusual) {
-            self.open_time = Some((
-                place,
-                format!("{name} has no usual unit with which the positions are those of a vehicle"),
-            ));
-            return None;
-        }
+        (has_decimals() || is_of_no_clock) && UNITS[4..].iter().any(is_unusual)
+    }
+
+    /// The unit that the usual step of a column of times suggests.
+    fn unit_of_steps(&mut self, place: usize) -> &'static str {
         let times = self.grid.numbers(place);
         let step =
             median(times.windows(2).map(|two| two[1] - two[0]).filter(|step| *step > 0.0)).unwrap_or(0.0);
@@ -245,9 +250,10 @@ impl Draft<'_> {
             usize::from(step >= 3.0)
         }];
         if unit != "s" {
+            let name = excerpt(&self.grid.names[place]);
             self.doubt(format!("{name} is taken as {unit}: its usual step is {step}"));
         }
-        Some(part)
+        part
     }
 
     /// Whether a column in units of this size counts as a clock does.
@@ -356,6 +362,13 @@ impl Draft<'_> {
 /// The sentence about times that contradict the speed of the table.
 fn contradicts(name: &str) -> String {
     format!("{name} has no unit with which the positions have the speed of the table")
+}
+
+/// Whether it is as slow as boats and balloons: smaller units make vehicles of them, at rates that hardly a log has.
+fn is_slow(motion: &Motion) -> bool {
+    let speed = motion.speed(&READINGS[0], false, 1.0).unwrap_or(0.0);
+    (SLOWEST..*SPEEDS.start()).contains(&speed)
+        && motion.rate_hz(1.0).is_some_and(|rate_hz| rate_hz > RARE_HZ)
 }
 
 /// Whether the rows have no higher rate than a log, if times are of this unit.

@@ -1,10 +1,10 @@
-//! The effects of a budget: one line each.
+//! What can be set and left out alone, effect by effect.
 
+use super::ErrorParameters;
 use crate::base::joined::{joined, total};
 use crate::base::parameter::Row;
 use crate::sensors::{ALTIMETER, GRAVITY, INITIAL, PARAMETERS, Sensor};
 use crate::signal::mounting::MOUNTING;
-use crate::simulator::ErrorParameters;
 
 /// An effect that can be set and left out alone.
 #[derive(Debug, Clone, Copy)]
@@ -107,7 +107,7 @@ impl BudgetEffect {
     #[inline(never)]
     fn copy(&self, from: &ErrorParameters, to: &mut ErrorParameters) {
         let mut from = *from;
-        for path in crate::simulator::with_time(self.field) {
+        for path in super::with_time(self.field) {
             to.numbers_of(path).zip(from.numbers_of(path)).for_each(|(to, from)| *to = *from);
         }
     }
@@ -118,14 +118,14 @@ impl BudgetEffect {
     }
 
     /// `parameters` with nothing but this effect.
-    pub(super) fn alone(&self, parameters: &ErrorParameters) -> ErrorParameters {
+    pub(crate) fn alone(&self, parameters: &ErrorParameters) -> ErrorParameters {
         let mut alone = parameters.ideal();
         self.copy(parameters, &mut alone);
         alone
     }
 
     /// `parameters` with nothing but what is drawn.
-    pub(super) fn random_of(parameters: &ErrorParameters) -> ErrorParameters {
+    pub(crate) fn random_of(parameters: &ErrorParameters) -> ErrorParameters {
         let mut random = parameters.ideal();
         Self::set_in(parameters)
             .filter(|effect| effect.is_random)
@@ -134,7 +134,7 @@ impl BudgetEffect {
     }
 
     /// Takes this effect out of `parameters`.
-    pub(super) fn leave_out(&self, parameters: &mut ErrorParameters) {
+    pub(crate) fn leave_out(&self, parameters: &mut ErrorParameters) {
         self.copy(&ErrorParameters::default(), parameters);
     }
 }
@@ -164,7 +164,7 @@ mod tests {
             ..ErrorParameters::default()
         };
         all.initial.alignment = Alignment::LevelAndGyrocompass;
-        for row in crate::simulator::rows() {
+        for row in super::super::rows() {
             all.numbers_of(row.field.path).for_each(|number| *number = 1.0);
         }
         all
