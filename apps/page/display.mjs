@@ -60,20 +60,9 @@ export class Display {
             this.state,
             this.answer,
             this.findings,
-            element(
-                "div",
-                { class: "views" },
+            element("div", { class: "views" },
                 element("section", { class: "curves" }, element("div", { class: "bar" }, element("label", { for: "quantity" }, text("Quantity")), quantity, this.keep, this.many, this.forget), curves),
-                element(
-                    "section",
-                    { class: "beside" },
-                    this.axis.made,
-                    this.attitudes,
-                    this.panel.made,
-                    element("h3", {}, text("Map")),
-                    map,
-                    this.table,
-                ),
+                element("section", { class: "beside" }, this.axis.made, this.attitudes, this.panel.made, element("h3", {}, text("Map")), map, this.table),
             ),
         );
         pilot.on_flight = (now, points) => this.take(now, points);
@@ -159,12 +148,24 @@ export class Display {
         return this.fly();
     }
 
+    /** Flies the scene with another value of a key, keeps these curves, and flies it as it is. */
+    fly_beside(key, value) {
+        const own = this.scene.get(key);
+        this.scene.set({ [key]: String(value) });
+        this.fly_at_once();
+        this.has_flown = () => {
+            this.keep_curves();
+            this.scene.set({ [key]: own });
+            this.fly_at_once();
+        };
+    }
+
     /** Flies the scene from its start. */
     async fly() {
         const obstacle = this.obstacle();
         if (obstacle) return this.say(obstacle, true);
         [this.flown_text, this.points, this.now, this.has_model, this.band] = [this.scene.text, null, null, this.scene.get("options.error_model") === "rk4", null];
-        this.flown_log = this.logs;
+        [this.flown_log, this.has_flown] = [this.logs, null];
         this.say("");
         try {
             await this.pilot.ask("start", { text: this.flown_text, pace: Number(this.pace.value) });
@@ -217,6 +218,7 @@ export class Display {
         cancelAnimationFrame(this.frame);
         this.frame = requestAnimationFrame(() => {
             this.refresh(points !== null);
+            if (now.state > PAUSED) this.has_flown?.();
         });
     }
 

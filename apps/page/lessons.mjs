@@ -25,7 +25,7 @@ function slider_made(scene, own, k, fly) {
     made.refresh = () => {
         const written = scene.get(key), value = number_of(written), off = values.map((one) => (is_word ? Number(one !== written) : Math.abs(one - value)));
         const words = known.name === "builtin" ? label(`builtin.${written}`, written) : scene.word_label(known, written);
-        [input.value, output.value] = [off.indexOf(Math.min(...off)), is_word ? words : `${shown(value, 6)} ${unit}`];
+        [input.value, output.value] = [off.indexOf(Math.min(...off)), is_word ? words : `${shown(value, 6)} ${unit}`.trimEnd()];
         input.setAttribute("aria-valuetext", output.value);
     };
     return made;

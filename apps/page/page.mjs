@@ -259,7 +259,8 @@ class Page {
         if (!this.read(lesson.scene)) return;
         this.opened({ hash: `#lesson=${lesson.name}`, lesson });
         if (other !== undefined && !this.read(other)) return;
-        this.display.fly_at_once();
+        if (lesson.beside && other === undefined) this.display.fly_beside(...lesson.beside);
+        else this.display.fly_at_once();
         if (lesson.shows === "cost") this.cost.measure_chosen();
     }
 

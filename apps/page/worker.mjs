@@ -187,7 +187,4 @@ export class Colleague {
         this.worker.postMessage({ do: what, number, ...values });
         return new Promise((done, failed) => this.requests.set(number, { done, failed }));
     }
-    close() {
-        this.worker.terminate();
-    }
 }

@@ -217,6 +217,7 @@ test("a lesson that is not complete is not packed, and the fault names its file"
         ["lesson.toml", settings.replace('"position"', "position"), /expected a text in quotes/],
         ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", 'values = ["a", ""]'), /not a value of this key/],
         ["lesson.toml", settings.replace("order = 1\n", ""), /expected order, shows/],
+        ["lesson.toml", `beside = ["options.subsamples"]\n${settings}`, /not a value of this key: beside/],
         ["lesson.toml", settings.replace("at_s = 5064\n", ""), /\[\[mark\]\]: expected at_s, en, zh/],
         ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", "values = [0]"), /not a value of this key: values = \[0\]/],
         ["lesson.toml", settings.replace("values = [0, 0.5, 1, 1.5, 2]", 'values = [0, "x"]'), /not a value of this key/],
@@ -232,6 +233,8 @@ test("a lesson that is not complete is not packed, and the fault names its file"
     const beyond = packed({ "lesson.toml": settings.replace("0.02, 0.05]", "0.02, 1e9]") }), unknown = packed({ "lesson.toml": settings.replace("gyro.bias", "gyro.bais") });
     assert.throws(() => read_by(sins, beyond), /own\/lesson\.toml: gyro\.bias_deg_h\[0\] = 1e9: must be from/);
     assert.throws(() => read_by(sins, unknown), /own\/lesson\.toml: .*bais_deg_h/);
+    const none = packed({ "lesson.toml": `beside = ["options.subsamples", 9]\n${settings}` });
+    assert.throws(() => read_by(sins, none), /own\/lesson\.toml: options\.subsamples = 9/);
     const faulty = packed({ "scene.toml": files["scene.toml"].replace("latitude_deg", "latitud_deg") });
     assert.throws(() => read_by(sins, faulty), /^Error: own\/scene\.toml:7:1: no such key: latitud_deg; did you mean latitude_deg\?$/);
 });

@@ -327,6 +327,24 @@ test("sliders by the keyboard, and a slider follows the form", async (context) =
     assert.deepEqual([await tilt.inputValue(), await tilt.getAttribute("aria-valuetext")], ["1", "0.6 arcmin"]);
 });
 
+test("the lesson on coning keeps the curve of two subsamples beside its own, and so does a link to it alone", async (context) => {
+    const page = await opened(context, { hash: "#lesson=coning" }), plot = page.locator(".plots .uplot").last();
+    const values = async () => (await plot.locator(".u-value").allInnerTexts()).map((own) => Number.parseFloat(own));
+    await until(page, /^Finished/);
+    assert.deepEqual(await plot.locator(".u-label").allInnerTexts(), ["time", "2, 10 Hz, 5 °", "Drift in theory", "Error data 2"]);
+    assert.equal(await page.locator('[data-slides="options.subsamples"]').inputValue(), "0");
+    await plot.focus();
+    await page.keyboard.press("End");
+    const [, two, , one] = await values();
+    assert.ok(two > 0 && Math.abs(one / two / 1000 - 1) < 0.2, `${one} ${two}`);
+    assert.equal(await page.evaluate(() => location.hash), "#lesson=coning");
+    await page.locator('[data-slides="flight.rate_hz"]').fill("3");
+    await page.waitForFunction(() => /&scene=/.test(location.hash));
+    const own = await opened(context, { hash: await page.evaluate(() => location.hash) });
+    await until(own, /^Finished/);
+    assert.equal(await own.locator('[data-do="forget"]').isVisible(), false); // as the reader left it
+});
+
 test("the lesson on coning draws the drift of theory beside the flown one, where the gyros are read once in a sample interval", async (context) => {
     const page = await opened(context, { hash: "#lesson=coning" }), plot = page.locator(".plots .uplot").last();
     const [labels, values] = [".u-label", ".u-value"].map((own) => () => plot.locator(own).allInnerTexts());
@@ -334,8 +352,8 @@ test("the lesson on coning draws the drift of theory beside the flown one, where
     await plot.focus();
     await page.keyboard.press("End"); // of the ramp, in which theory says nothing
     for (let pages = 0; pages < 4; pages++) await page.keyboard.press("PageUp");
-    const [, theory, flown] = await values();
-    assert.equal((await labels())[1], "Drift in theory");
+    const [, , theory, flown] = await values();
+    assert.equal((await labels())[2], "Drift in theory");
     const [of_theory, of_flown] = [theory, flown].map((own) => Number.parseFloat(own));
     assert.ok(of_flown > 2 && Math.abs(of_theory / of_flown - 1) < 0.01 && of_theory !== of_flown, `${theory} ${flown}`);
     await page.screenshot({ path: `${out}/theory.png` });

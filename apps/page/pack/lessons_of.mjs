@@ -12,7 +12,7 @@ const SHOWS = ["position", "velocity", "misalignment", "cost"];
 /** Keys of lesson.toml, and of each of its lists, with what their value must be. */
 const is_text = (value) => typeof value === "string" && value !== "", is_number = Number.isFinite;
 const KEYS = { order: is_number, shows: (value) => SHOWS.includes(value) };
-const MORE_KEYS = { times: (value) => value === true, axis: (value) => value === true, theory: (value) => Object.hasOwn(THEORIES, value) };
+const MORE_KEYS = { times: (value) => value === true, axis: (value) => value === true, theory: (value) => Object.hasOwn(THEORIES, value), beside: (value) => Array.isArray(value) && value.length === 2 && is_text(value[0]) };
 const LISTS = {
     mark: { at_s: (value) => is_number(value) && value > 0, en: is_text, zh: is_text },
     slider: { key: is_text, en: is_text, zh: is_text, values: (value) => Array.isArray(value) && value.length > 1 && (value.every(is_number) || value.every(is_text)) },
@@ -26,10 +26,10 @@ export function lessons_of(folder) {
 
 /** The lessons, if the library reads the scene of each and takes each value of its sliders. Throws with the first fault. */
 export function read_by(sins, lessons) {
-    for (const { name, scene, slider } of lessons) {
+    for (const { name, scene, slider, beside } of lessons) {
         const read = sins.scene_parse(scene), fault = new sins.fault(), first = () => (sins.scene_get_fault(read, 0, fault), fault.copy());
         if (sins.last_status === sins.SCENE_HAS_FAULTS) throw new Error(`${name}/scene.toml:${first().line}:${first().column}: ${first().sentence}`);
-        for (const [key, value] of slider.flatMap(({ key, values }) => values.map((own) => [key, own]))) {
+        for (const [key, value] of [...slider.flatMap(({ key, values }) => values.map((own) => [key, own])), ...(beside ? [beside] : [])]) {
             try {
                 sins.scene_set_values(read, `${key} = ${value}`);
             } catch {
