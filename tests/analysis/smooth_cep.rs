@@ -155,6 +155,7 @@ fn compared(flight: &Good, damages: &[Damage], grades: &[Grade], runs: usize) ->
     let every = if flight.rate_hz > 1.5 * RATE_HZ { 2 } else { 1 };
     let truth: Samples = flight.samples.iter().step_by(every).copied().collect();
     assert!((truth[1].time_s - truth[0].time_s - 1.0 / RATE_HZ).abs() < 1e-9, "{}", flight.name);
+    let whole = truth.len();
     let of_truth: Vec<[f64; 2]> = grades.iter().map(|grade| radii(&truth, *grade, runs)).collect();
     let mut all = Vec::new();
     for damage in damages {
@@ -173,7 +174,11 @@ fn compared(flight: &Good, damages: &[Damage], grades: &[Grade], runs: usize) ->
         let of_path = truth.iter().map(|sample| sample.time_s);
         let of_path = of_path.filter(|time_s| (start_s..=end_s).contains(time_s));
         let path: Samples = of_path.map(|time_s| smoothed.sample_at(time_s).unwrap()).collect();
+        // A path may begin behind the first row: both fly the same time.
+        let in_common = |sample: &&FlightSample| (start_s..=end_s).contains(&sample.time_s);
+        let truth: Samples = truth.iter().filter(in_common).copied().collect();
         for (grade, of_truth) in grades.iter().zip(&of_truth) {
+            let of_truth = if truth.len() == whole { *of_truth } else { radii(&truth, *grade, runs) };
             let of_path = radii(&path, *grade, runs);
             let percent = [0, 1].map(|place| 100.0 * (of_path[place] / of_truth[place] - 1.0));
             let [half, most] = percent;
