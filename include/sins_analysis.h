@@ -271,14 +271,20 @@ SINS_API sins_status SINS_CALL sins_error_budget(const sins_sim *configured, con
 /* The errors of real sensors. */
 
 /** Number of parameters. */
-#define SINS_IDENTIFIED_PARAMETERS 47
+#define SINS_IDENTIFIED_PARAMETERS 65
 
 /** Flags of a sins_identify_request. */
 typedef enum sins_identify_flags {
     /** The field shift_s holds the shift of the clock. */
     SINS_IDENTIFY_SHIFT = 1,
     /** The states of the path are kept too, which sins_identify_check() needs: 336 bytes a sample. */
-    SINS_IDENTIFY_STATES = 2
+    SINS_IDENTIFY_STATES = 2,
+    /** Also finds the lever arm from the point of the path to the accelerometers. Not for sins_identify_check(). */
+    SINS_IDENTIFY_LEVER_ARM = 4,
+    /** Also finds the g-sensitivity of the gyros, each to the forces along all axes. */
+    SINS_IDENTIFY_G_SENSITIVITY = 8,
+    /** Also finds the scale factor asymmetry of each sensor. */
+    SINS_IDENTIFY_ASYMMETRY = 16
 } sins_identify_flags;
 
 /** Flags of a sins_identified and of a sins_identified_parameter. */
@@ -464,7 +470,8 @@ SINS_API sins_status SINS_CALL sins_identify_solve(sins_identify *identify, sins
  * Reads a parameter that sins_identify_solve() found. index is from 0 to SINS_IDENTIFIED_PARAMETERS - 1: shift and drift of the clock;
  * mounting x, y, z; then of the gyros: bias x, y, z, scale factor x, y, z, misalignments xy, xz, yx, yz, zx, zy, white noise x, y, z,
  * flicker x, y, z, random walk x, y, z; then the same of the accelerometers. Misalignment xy is the error of sensor x by a
- * signal along y. Not for a real-time frame: it allocates.
+ * signal along y. Last, those that a request asks for by its flags: g-sensitivities xx, xy, ... zz and asymmetries x, y, z of the gyros,
+ * lever arm x, y, z and asymmetries x, y, z of the accelerometers. Not for a real-time frame: it allocates.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such parameter. SINS_ERROR_BAD_STATE: nothing was found yet. SINS_ERROR_OUT_OF_MEMORY: no memory.
  */

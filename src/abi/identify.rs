@@ -2,19 +2,20 @@
 
 mod check;
 mod fields;
+mod request;
 
 pub use check::*;
 
 use core::ffi::c_char;
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 use fields::in_fields;
 
 use super::boundary::handle::{hand_out, with_object};
 use super::boundary::tables::IDENTIFIES;
 use super::boundary::{enter, enter_without_simulator};
-use super::choice::{Choice, check_reserved, flag};
+use super::choice::{check_reserved, flag};
 use super::failure::{CallError, SINS_OK, sins_status};
 use super::memory::{Array, Output, interface_struct, read};
 use super::options::sins_options;
@@ -23,12 +24,9 @@ use super::sample::sins_flight_sample;
 use super::simulator::pushed;
 use super::text::{chars, put_text};
 use crate::analysis::identify::text::scene;
-use crate::analysis::identify::{
-    Feed, Identified, LISTED, Listed, Prior, RecordedIncrement, Request, listed,
-};
-use crate::base::error::{Error, Rule, check_integer};
+use crate::analysis::identify::{Feed, Identified, LISTED, Listed, RecordedIncrement, Request, listed};
+use crate::base::error::check_integer;
 use crate::base::memory::{only, probe, room};
-use crate::sensors::Grade;
 use crate::signal::Increment;
 use crate::simulator::Options;
 
@@ -46,6 +44,12 @@ pub type sins_identify_flags = u32;
 pub const SINS_IDENTIFY_SHIFT: sins_identify_flags = 1;
 /// The states of the path are kept too, which sins_identify_check() needs: 336 bytes a sample.
 pub const SINS_IDENTIFY_STATES: sins_identify_flags = 2;
+/// Also finds the lever arm from the point of the path to the accelerometers. Not for sins_identify_check().
+pub const SINS_IDENTIFY_LEVER_ARM: sins_identify_flags = 4;
+/// Also finds the g-sensitivity of the gyros, each to the forces along all axes.
+pub const SINS_IDENTIFY_G_SENSITIVITY: sins_identify_flags = 8;
+/// Also finds the scale factor asymmetry of each sensor.
+pub const SINS_IDENTIFY_ASYMMETRY: sins_identify_flags = 16;
 
 /// What is known of sensors before their record. All zero is nothing: the widest prior, clock and axes are found.
 #[repr(C)]
@@ -67,8 +71,6 @@ pub struct sins_identify_request {
 }
 
 interface_struct!(sins_identify_request, "request", 40);
-
-const ALL_FLAGS: u64 = (SINS_IDENTIFY_SHIFT | SINS_IDENTIFY_STATES) as u64;
 
 /// An increment that real sensors measured.
 #[repr(C)]
@@ -119,7 +121,7 @@ pub struct sins_identified {
 interface_struct!(sins_identified, "identified", 128);
 
 /// Number of parameters.
-pub const SINS_IDENTIFIED_PARAMETERS: usize = 47;
+pub const SINS_IDENTIFIED_PARAMETERS: usize = 65;
 const _: () = assert!(SINS_IDENTIFIED_PARAMETERS == LISTED);
 
 /// A parameter that a record may show.
@@ -149,37 +151,6 @@ pub struct sins_identified_parameter {
 }
 
 interface_struct!(sins_identified_parameter, "parameter", 304);
-
-impl sins_identify_request {
-    fn to_request(self) -> Result<Request, CallError> {
-        check_integer("request.flags", self.flags as usize, 0, ALL_FLAGS)?;
-        let prior = match self.prior {
-            0 => Prior::default(),
-            grade => Prior::of(Grade::of("request.prior", grade)?),
-        };
-        let shift_s = (self.flags & SINS_IDENTIFY_SHIFT != 0).then_some(self.shift_s);
-        let cutoff_hz = Some(self.cutoff_hz).filter(|cutoff_hz| *cutoff_hz != 0.0);
-        Ok(Request { prior, axes: exchange(self.axes)?, shift_s, cutoff_hz })
-    }
-}
-
-/// The exchange of axes of the host's numbers; `None` if all are 0.
-fn exchange(axes: [i32; 3]) -> Result<Option<Matrix3<f64>>, CallError> {
-    if axes == [0; 3] {
-        return Ok(None);
-    }
-    let mut exchange = Matrix3::zeros();
-    for (row, axis) in axes.into_iter().enumerate() {
-        match axis.unsigned_abs() {
-            column @ 1..=3 => exchange[(row, column as usize - 1)] = f64::from(axis.signum()),
-            _ => {
-                let rule = Rule::Sentence("must be 1, 2 or 3 for x, y or z, negative if reversed");
-                return Err(Error::invalid("request.axes", axis, rule).at(row).into());
-            }
-        }
-    }
-    Ok(Some(exchange))
-}
 
 impl sins_recorded_increment {
     fn to_row(self) -> Result<RecordedIncrement, CallError> {
@@ -394,7 +365,8 @@ pub unsafe extern "C-unwind" fn sins_identify_solve(
 /// Reads a parameter that sins_identify_solve() found. index is from 0 to SINS_IDENTIFIED_PARAMETERS - 1: shift and drift of the clock;
 /// mounting x, y, z; then of the gyros: bias x, y, z, scale factor x, y, z, misalignments xy, xz, yx, yz, zx, zy, white noise x, y, z,
 /// flicker x, y, z, random walk x, y, z; then the same of the accelerometers. Misalignment xy is the error of sensor x by a
-/// signal along y. Not for a real-time frame: it allocates.
+/// signal along y. Last, those that a request asks for by its flags: g-sensitivities xx, xy, ... zz and asymmetries x, y, z of the gyros,
+/// lever arm x, y, z and asymmetries x, y, z of the accelerometers. Not for a real-time frame: it allocates.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such parameter. SINS_ERROR_BAD_STATE: nothing was found yet. SINS_ERROR_OUT_OF_MEMORY: no memory.
 #[unsafe(no_mangle)]

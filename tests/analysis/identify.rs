@@ -14,6 +14,7 @@ use sins::truth::FlightSample;
 use sins::truth::flight::Flight;
 use sins::{Options, Simulator, Step};
 
+mod also;
 mod begin;
 mod check;
 mod unfit;

@@ -637,7 +637,7 @@ class Identification(unittest.TestCase):
 
     def test_errors_that_were_set_come_back(self):
         found = sins.identify("aerobatics", self.imu, **self.path)
-        self.assertEqual((len(found.parameters), found.rotation.shape), (c.IDENTIFIED_PARAMETERS, (3, 3)))
+        self.assertEqual((len(found.parameters), found.rotation.shape), (c.IDENTIFIED_PARAMETERS - 18, (3, 3)))
         for name, truth in (("clock shift", 0), ("gyro bias y", 30 * c.DEG_PER_HOUR), ("accelerometer bias z", 2000 * c.MICRO_G)):
             one = found[name]
             self.assertTrue(one.is_seen and not one.reason, one)
@@ -658,6 +658,20 @@ class Identification(unittest.TestCase):
         self.assertEqual(len(lines), len(names))
         for name, ends in zip(names, lines):
             self.assertTrue(np.allclose(np.array(ends) * found[name].prior, found[name].interval), name)
+
+    def test_what_is_asked_for_beside_comes_back(self):
+        g_sensitivity = 5 * c.DEG_PER_HOUR / c.STANDARD_GRAVITY
+        sensors = {"gyro": {**NOISE["gyro"], "g_sensitivity_deg_h_per_g": [0, 5, 0, 0, 0, 0, 0, 0, 0]}, "accel": NOISE["accel"]}
+        mounting = {"lever_arm_m": [0.3, 0, -0.2]}
+        with sins.Flight("aerobatics", options={"subsamples": 1}, mounting=mounting, **sensors, **self.path) as flight:
+            imu = flight.fly()
+        found = sins.identify("aerobatics", imu, also=["lever_arm", "g_sensitivity"], **self.path)
+        self.assertEqual(len(found.parameters), c.IDENTIFIED_PARAMETERS - 6)
+        for name, truth in (("accelerometer lever arm x", 0.3), ("accelerometer lever arm z", -0.2), ("gyro g-sensitivity xy", g_sensitivity)):
+            self.assertTrue(found[name].is_seen and abs(found[name].value - truth) < 4 * found[name].sigma, found[name])
+        self.assertRaisesRegex(sins.Error, "record.lever_arm_m|increments", sins.identify, "aerobatics", imu, **self.path)
+        self.assertRaisesRegex(sins.Error, "request.also.lever_arm", found.check)
+        self.assertEqual(len(sins.identify("aerobatics", self.imu, also="asymmetry", **self.path).parameters), c.IDENTIFIED_PARAMETERS - 12)
 
     def test_a_record_of_another_clock_and_other_axes(self):
         turned = self.as_dict(time_s=self.imu["time_s"] - 5.0, rate_rad_s=None)
@@ -746,6 +760,7 @@ class Identification(unittest.TestCase):
         for error, sentence, arguments in [
             (ValueError, "prior = 'best': must be strategic, ", {"prior": "best"}),
             (ValueError, "axes = 'x y': must be x, y and z once each", {"axes": "x y"}),
+            (ValueError, "also = 'temperature': must be lever_arm, g_sensitivity or asymmetry", {"also": ["temperature"]}),
             (sins.Error, "request.axes: must be a signed exchange of axes without reflection", {"axes": "x y -z"}),
             (sins.Error, "request.shift_s = NaN", {"shift_s": float("nan")}),
             (sins.Error, "no such section: foo", {"foo": {}}),

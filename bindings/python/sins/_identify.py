@@ -1,7 +1,7 @@
 """The errors of real sensors, from a record of their increments and the true path of the same motion."""
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 _GRADES = ("strategic", "navigation", "tactical", "industrial", "consumer")
 _AGREEMENTS = {c.AGREEMENT_AGREES: "agrees", c.AGREEMENT_TOO_GOOD: "too_good", c.AGREEMENT_TOO_BAD: "too_bad"}
+_ALSO = {"lever_arm": c.IDENTIFY_LEVER_ARM, "g_sensitivity": c.IDENTIFY_G_SENSITIVITY, "asymmetry": c.IDENTIFY_ASYMMETRY}
 # Names of a record, with the name of the same integrated over the interval.
 _SIGNALS = (("rate_rad_s", "angle_rad"), ("force_m_s2", "velocity_m_s"))
 
@@ -140,7 +141,8 @@ class Identified:
     """What a record shows of its sensors: `identify` makes it."""
 
     parameters: "Tuple[Parameter, ...]"
-    """Clock, mounting, then bias, scale factors, misalignments and noise of the gyros and of the accelerometers."""
+    """Clock, mounting, then bias, scale factors, misalignments and noise of the gyros and of the accelerometers; last what was asked for
+    beside."""
     rotation: Floats
     """Signals of the record are this matrix times the signals of the vehicle, shape (3, 3)."""
     boresight_rad: Floats
@@ -273,7 +275,8 @@ def _span(one: Any) -> Span:
 
 def identify(
     flown: Flown, imu: Any, hours: Optional[float] = None, *, prior: str = "consumer", axes: Optional[str] = None,
-    shift_s: Optional[float] = None, cutoff_hz: Optional[float] = None, progress: bool = False, **settings: Setting,
+    shift_s: Optional[float] = None, cutoff_hz: Optional[float] = None, also: Sequence[str] = (), progress: bool = False,
+    **settings: Setting,
 ) -> Identified:
     """Finds the errors of real sensors: compares their record with what perfect sensors measure along the true path.
 
@@ -286,17 +289,22 @@ def identify(
     prior: what is known of the sensors, strategic, navigation, tactical, industrial or consumer, the widest. axes: the axes of the vehicle
     along x, y and z of the record, if they are known, such as "y x -z". shift_s: time of the path less time of the record, if it is known to 10 s.
     cutoff_hz: the frequency above which the path lacks motion, as a smoothed one does [Hz]: path and record are then compared by their means
-    over a period of it. progress: a line on standard error shows the time that has passed. docs/identify.md says what a record can show.
+    over a period of it. also: what is found beside, of lever_arm (from the point of the path to the accelerometers), g_sensitivity (of the
+    gyros) and asymmetry (of the scale factors); it makes all others less certain. progress: a line on standard error shows the time that has passed. docs/identify.md says what a record can show.
 
     Raises `sins.Error`, with the reason, for a record of another motion, in other units, too short, or with a sensor that is stuck.
     """
     if prior not in _GRADES:
         raise ValueError(f"prior = {prior!r}: must be {', '.join(_GRADES[:-1])} or {_GRADES[-1]}")
     request = c.identify_request(prior=getattr(c, f"GRADE_{prior.upper()}"))
+    for name in [also] if isinstance(also, str) else also:
+        if name not in _ALSO:
+            raise ValueError(f"also = {name!r}: must be {', '.join(list(_ALSO)[:-1])} or {list(_ALSO)[-1]}")
+        request.flags |= _ALSO[name]
     if axes is not None:
         request.axes = tuple(_axes(axes))
     if shift_s is not None:
-        request.flags, request.shift_s = c.IDENTIFY_SHIFT, float(shift_s)
+        request.flags, request.shift_s = request.flags | c.IDENTIFY_SHIFT, float(shift_s)
     if cutoff_hz is not None:
         if not 1e-3 <= cutoff_hz <= 1e6:
             raise ValueError(f"cutoff_hz = {cutoff_hz!r}: must be from 0.001 to 1e6")
@@ -309,6 +317,6 @@ def identify(
         return c.identify_solve(handle)
 
     found = in_background(solve, progress=Progress("identifying") if progress else None)
-    parameters = tuple(_parameter(c.identify_get_parameter(handle, index)) for index in range(c.IDENTIFIED_PARAMETERS))
-    return Identified(parameters, np.array(found.rotation).reshape(3, 3), np.array(found.boresight_rad),
+    every = (_parameter(c.identify_get_parameter(handle, index)) for index in range(c.IDENTIFIED_PARAMETERS))
+    return Identified(tuple(one for one in every if one.reason != "not asked for"), np.array(found.rotation).reshape(3, 3), np.array(found.boresight_rad),
                       bool(found.flags & c.IDENTIFIED_SEEN), found.used_s, c.identify_get_scene(handle), given)

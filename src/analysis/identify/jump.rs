@@ -8,7 +8,7 @@ use super::noise::{COEFFICIENTS, Coefficients, Evidence, Information};
 use super::parameter::{PARAMETERS, Place};
 use super::path::IdealPath;
 use super::rows::{Rows, coefficients};
-use super::solve::{Fitted, Matrix, Vector};
+use super::solve::{Fitted, Matrix, Vector, invert};
 use super::whiten::{COLUMNS, Columns, Shape, Steps};
 use crate::base::error::{Error, Rule};
 use crate::base::memory::{filled, room};
@@ -45,6 +45,7 @@ impl Jump {
     /// Σ before |e(clock before) - X δ|² + Σ behind |e(clock behind) - X δ - d δ_jump|² + |δ|²/prior²
     /// ```
     /// The noise counts as white: a filter of slow noise would remember the wrong clock behind the jump.
+    #[inline(never)]
     pub fn better(&self, path: &IdealPath, blocks: &[Block], fitted: &Fitted) -> Result<Self, Error> {
         let on_clock = |change_s: f64| {
             let rows = Rows::new(path, &moved(blocks, |_| change_s)?, &fitted.about)?;
@@ -103,6 +104,7 @@ fn moved(blocks: &[Block], by_s: impl Fn(usize) -> f64) -> Result<Vec<Block>, Er
 }
 
 /// A jump that the residual of a fit shows: the most certain one.
+#[inline(never)]
 pub(super) fn small(fitted: &Fitted, count: usize, interval_s: f64) -> Result<Option<Jump>, Error> {
     let parts = Parts::new(fitted, count)?;
     let mut behind = Part::default();
@@ -186,13 +188,10 @@ impl Parts {
         for (by_parameters, square) in by_sensor.iter().zip(&squares) {
             information += by_parameters * square * by_parameters.transpose();
         }
-        // Scaled by the priors: the information has units of many sizes.
-        let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
         let unsolved = || Error::bad_state("the residual of the fit does not determine a jump of the clock");
-        let inverse = scaled.cholesky().ok_or_else(unsolved)?.inverse();
-        let inverse = Matrix::from_fn(|i, j| prior[i] * inverse[(i, j)] * prior[j]);
+        invert(&mut information, prior).ok_or_else(unsolved)?;
         let square = of_block.iter().map(|part: &Part| part.square).sum();
-        Ok(Self { of_block, inverse, moved: inverse * side, square })
+        Ok(Self { of_block, moved: information * side, inverse: information, square })
     }
 
     /// Size and standard deviation of a jump with these sums behind it [s].
@@ -247,7 +246,7 @@ fn whitened(
 ) -> Result<(), Error> {
     let steps = Steps::new(&rows.blocks)?;
     for (sensor, one) in fitted.evidences.iter().enumerate() {
-        let solved: [f64; COEFFICIENTS] = Place::coefficients(sensor, &fitted.solution.0);
+        let solved: [f64; COEFFICIENTS] = Place::coefficients(sensor, &fitted.solution[0].0);
         let scale = 1.0 / one.square.sqrt();
         steps.filter(shape(one))?.whiten(&rows.of_sensor[sensor], |row, white| {
             let white = white.map(|value| value * scale);

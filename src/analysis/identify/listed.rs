@@ -1,13 +1,14 @@
 //! All that was found as one list, in SI units.
 
 use super::Identified;
-use super::sheet::{AXES, sheets};
+use super::sheet::{AXES, Line, Sheet, sheets};
 use super::text::not_seen;
 use super::{Estimate, NoiseEstimate};
 
 /// Number of quantities: shift and drift of the clock, three angles of the mounting; bias, scale factor, two misalignments and three
-/// coefficients of the noise of each of the six sensors.
-pub const LISTED: usize = 5 + 6 * (4 + 3);
+/// coefficients of the noise of each of the six sensors; then those of [`super::Also`]: nine g-sensitivities, a lever arm and six
+/// asymmetries.
+pub const LISTED: usize = 5 + 6 * (4 + 3) + 9 + 3 + 6;
 
 /// A quantity that a record may show.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +30,10 @@ pub struct Listed {
 impl Listed {
     fn new(name: String, unit: &'static str, estimate: &Estimate, shown_by: &str) -> Self {
         let Estimate { value, sigma, prior } = *estimate;
-        let reason = (!estimate.is_seen()).then(|| not_seen(shown_by));
+        let reason = match estimate.prior > 0.0 {
+            true => (!estimate.is_seen()).then(|| not_seen(shown_by)),
+            false => Some("not asked for".to_owned()),
+        };
         Self { name, unit, value, interval: estimate.interval(), sigmas: (sigma, prior), reason }
     }
 
@@ -41,7 +45,7 @@ impl Listed {
     }
 }
 
-/// All quantities, the clock first, then mounting, gyros and accelerometers: [`LISTED`].
+/// All quantities, the clock first, then mounting, gyros and accelerometers, and last what each fit does not have: [`LISTED`].
 pub fn listed(found: &Identified) -> Vec<Listed> {
     let mut list = vec![
         Listed::new("clock shift".to_owned(), "s", &found.offset_s, "more turns"),
@@ -51,17 +55,20 @@ pub fn listed(found: &Identified) -> Vec<Listed> {
         let shown_by = format!("more turns about other axes than {axis}");
         list.push(Listed::new(format!("mounting {axis}"), "rad", angle, &shown_by));
     }
-    for sheet in sheets(found) {
-        let named = |name: &str| format!("{} {name}", sheet.section);
+    let sheets = sheets(found);
+    let of_line = |sheet: &Sheet, line: &Line| {
+        Listed::new(format!("{} {}", sheet.section, line.name), line.si, &line.estimate, &line.shown_by)
+    };
+    for sheet in &sheets {
+        list.extend(sheet.lines.iter().map(|line| of_line(sheet, line)));
         list.extend(
-            sheet
-                .lines
-                .iter()
-                .map(|line| Listed::new(named(&line.name), line.si, &line.estimate, &line.shown_by)),
+            sheet.noises.iter().map(|line| {
+                Listed::noise(format!("{} {}", sheet.section, line.name), line.si, &line.estimate)
+            }),
         );
-        list.extend(
-            sheet.noises.iter().map(|line| Listed::noise(named(&line.name), line.si, &line.estimate)),
-        );
+    }
+    for sheet in &sheets {
+        list.extend(sheet.also.iter().map(|line| of_line(sheet, line)));
     }
     list
 }

@@ -23,6 +23,9 @@
 //! m(t) = (I + E + [φ×]) R u(t + τ + δ (t - t0)) + b + n(t)
 //! ```
 //!
+//! If they are asked for ([`Also`]), gyros have G f and accelerometers (α× + ω×ω×) r more, with the g-sensitivity G, the specific force f
+//! and the lever arm r, and each sensor a/2 |u| with the asymmetry a.
+//!
 //! - **Signals.** u is the library's inverse navigation. Its integrals are interpolated by cubics, so the record may have another rate,
 //!   and the shift is not bound to a sample.
 //! - **Noise.** n is white noise N, flicker noise B (the processes with which this library makes it) and a random walk K, of each sensor.
@@ -73,13 +76,25 @@ pub use prior::Prior;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 use crate::base::error::{Error, Rule, check_range};
-use crate::base::math::{Euler, euler_from_attitude, rotation_matrix, rotation_quaternion};
+use crate::base::math::{Euler, euler_from_attitude, hypot, rotation_matrix, rotation_quaternion};
 use crate::earth::state::BodyAxes;
 use crate::signal::Increment;
-use parameter::{Place, to_block_axes};
-use rows::{About, Rows};
-use solve::{Matrix, Solution, Vector};
+use parameter::Place;
+use path::Six;
+use solve::{Fitted, InMemory, Matrix, Solution, Vector};
 use walk::Walk;
+
+/// Parameters that a fit has only if they are asked for: a record without the motion that tells them apart from others tells all of them
+/// less well.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Also {
+    /// The lever arm from the point of the path to the accelerometers.
+    pub lever_arm: bool,
+    /// The g-sensitivity of the gyros, each to the forces along all axes.
+    pub g_sensitivity: bool,
+    /// The scale factor asymmetry of each sensor, by the mean signal of a block.
+    pub asymmetry: bool,
+}
 
 /// What is known before the record, and what is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -93,7 +108,14 @@ pub struct Request {
     /// Frequency above which the path lacks motion \[Hz\], 0.001 to 1e6, as a path that was smoothed does: record and path are compared
     /// by means over a period of it. Without it, by means over 0.2 s or more.
     pub cutoff_hz: Option<f64>,
+    /// What is wanted beside the parameters that each fit has.
+    pub also: Also,
 }
+
+/// Standard deviation of a lever arm beside that of the noise, as a part of its length: a path with samples lacks changes of the turns.
+const OF_LEVER: f64 = 1e-3;
+/// Standard deviation of a parameter that is not asked for.
+const OFF: f64 = 1e-60;
 
 impl Request {
     /// Checks every field.
@@ -134,6 +156,17 @@ impl Request {
                 }
             }
         }
+        let Prior { lever_arm_m, g_sensitivity, gyro_asymmetry, accel_asymmetry, .. } = self.prior;
+        let of = |is_asked: bool, sigma: f64| if is_asked { sigma } else { OFF };
+        for row in 0..3 {
+            sigmas[Place::lever_arm(row)] = of(self.also.lever_arm, lever_arm_m);
+            for (part, sigma) in [gyro_asymmetry, accel_asymmetry].into_iter().enumerate() {
+                sigmas[Place::asymmetry(part, row)] = of(self.also.asymmetry, sigma);
+            }
+            for column in 0..3 {
+                sigmas[Place::g_sensitivity(row, column)] = of(self.also.g_sensitivity, g_sensitivity);
+            }
+        }
         sigmas
     }
 }
@@ -161,44 +194,53 @@ pub struct Identified {
     pub accel: TriadEstimate,
     /// Noise of the three gyros, then of the three accelerometers.
     pub noise: [SensorNoise; 6],
-    /// Mean g-sensitivity of the gyros \[rad/s per m/s²\], if they show one: the model has none, and takes it for misalignments.
-    pub g_sensitivity: Option<f64>,
+    /// Lever arm from the point of the path to the accelerometers, axes of the record \[m\], if the request asks for it; otherwise 0.
+    pub lever_arm: [Estimate; 3],
+    /// g-sensitivity of each gyro to the forces along x, y and z \[rad/s per m/s²\], if the request asks for it; otherwise 0.
+    pub g_sensitivity: [[Estimate; 3]; 3],
+    /// Mean g-sensitivity of the gyros \[rad/s per m/s²\] that they show and the fit has not: it is taken for misalignments.
+    pub left_g_sensitivity: Option<f64>,
     /// Number of blocks of the fit, and their length on average \[s\].
     pub blocks: usize,
     /// Length of a block on average \[s\].
     pub block_s: f64,
     /// A square root of the covariance of all parameters.
-    root: Matrix,
+    root: InMemory<Matrix>,
     /// What the biases have walked at the end of the record.
     walks: [Walk; 6],
 }
 
 impl Identified {
+    #[inline(never)]
     fn new(
         request: &Request,
+        change: &Matrix,
         (x, covariance): &Solution,
-        (root, walks): (Matrix, [Walk; 6]),
-        noise: [SensorNoise; 6],
-        about: &About,
+        (root, walks): (InMemory<Matrix>, [Walk; 6]),
+        Fitted { rows, about, evidences, .. }: &Fitted,
         axes: Axes,
-        rows: &Rows,
     ) -> Self {
         let prior = request.prior_sigmas();
-        let change = to_block_axes();
-        let before = change * Matrix::from_diagonal(&prior.map(|sigma| sigma * sigma)) * change.transpose();
-        let estimate = |place: usize, from: f64| Estimate {
-            value: from + x[place],
-            sigma: covariance[(place, place)].max(0.0).sqrt(),
-            prior: before[(place, place)].sqrt(),
+        // Standard deviation before the record, in the axes of the block.
+        let before = |place: usize| change.row(place).transpose().component_mul(&prior).norm();
+        let estimate = |place: usize, from: f64| match prior[place] == OFF {
+            true => Estimate::default(),
+            false => Estimate {
+                value: from + x[place],
+                sigma: covariance[(place, place)].max(0.0).sqrt(),
+                prior: before(place),
+            },
         };
         let triad = |part: usize| TriadEstimate {
             bias: core::array::from_fn(|axis| estimate(Place::bias(part, axis), 0.0)),
             elements: core::array::from_fn(|row| {
                 core::array::from_fn(|column| estimate(Place::element(part, row, column), 0.0))
             }),
+            asymmetry: core::array::from_fn(|axis| estimate(Place::asymmetry(part, axis), 0.0)),
         };
         let blocks = rows.blocks.len();
         let turn = Vector3::from_fn(|axis, _| x[Place::mounting(axis)]);
+        let lever = about.axes * about.lever_b;
         Self {
             offset_s: estimate(Place::CLOCK, about.offset_s),
             drift: estimate(Place::DRIFT, about.drift),
@@ -209,8 +251,15 @@ impl Identified {
             rotation: rotation_matrix(&rotation_quaternion(&turn)) * about.axes,
             gyro: triad(0),
             accel: triad(1),
-            noise,
-            g_sensitivity: None,
+            noise: evidences.map(|one| one.noise),
+            lever_arm: core::array::from_fn(|axis| {
+                let one = estimate(Place::lever_arm(axis), lever[axis]);
+                Estimate { sigma: hypot(one.sigma, OF_LEVER * lever.norm()), ..one }
+            }),
+            g_sensitivity: core::array::from_fn(|row| {
+                core::array::from_fn(|column| estimate(Place::g_sensitivity(row, column), 0.0))
+            }),
+            left_g_sensitivity: None,
             blocks,
             block_s: rows.blocks.iter().map(blocks::Block::length_s).sum::<f64>() / blocks as f64,
             root,
@@ -239,18 +288,44 @@ impl Identified {
         self.path_time_s(self.last_s)
     }
 
-    /// What an increment of the record has beside its path and the errors that were found, axes of the record; `None`: the path does not
-    /// have its interval.
+    /// `path`, at the place of the accelerometers if a lever arm was found.
+    pub fn path_of_sensors(&self, path: IdealPath) -> Result<IdealPath, Error> {
+        match self.lever_arm[0].prior > 0.0 {
+            true => {
+                let lever = Vector3::from_fn(|axis, _| self.lever_arm[axis].value);
+                path.with_lever_arm(&(self.rotation.transpose() * lever))
+            }
+            false => Ok(path),
+        }
+    }
+
+    /// What an increment of the record has beside its path, which is that of the sensors, and the errors that were found, axes of the
+    /// record; `None`: the path does not have its interval.
     pub fn residual(&self, path: &IdealPath, row: &RecordedIncrement) -> Option<Increment> {
         let ends_s = [row.time_s - row.interval_s, row.time_s].map(|time_s| self.path_time_s(time_s));
         let (ideal, _) = path.mean(ends_s[0], ends_s[1])?;
-        let rest = |part: usize, measured: &Vector3<f64>| {
+        let turned = |signal: &Six, part: usize| self.rotation * signal.fixed_rows::<3>(3 * part);
+        let (rate, force) = (turned(&ideal, 0), turned(&ideal, 1));
+        let rest = |part: usize, signal: &Vector3<f64>, measured: &Vector3<f64>| {
             let triad = [&self.gyro, &self.accel][part];
-            let turned = self.rotation * ideal.fixed_rows::<3>(3 * part);
-            measured - (turned + triad.error_matrix() * turned + triad.biases()) * row.interval_s
+            let asymmetry = 0.5 * triad.asymmetries().component_mul(&signal.abs());
+            let error = triad.error_matrix() * signal + triad.biases() + asymmetry;
+            measured - (signal + error) * row.interval_s
         };
         let Increment { angle, velocity } = &row.increment;
-        Some(Increment { angle: rest(0, angle), velocity: rest(1, velocity) })
+        let sensed = self.g_sensitivities() * force * row.interval_s;
+        Some(Increment { angle: rest(0, &rate, angle) - sensed, velocity: rest(1, &force, velocity) })
+    }
+
+    /// The matrix of g-sensitivities that was found.
+    fn g_sensitivities(&self) -> Matrix3<f64> {
+        Matrix3::from_fn(|row, column| self.g_sensitivity[row][column].value)
+    }
+
+    /// The lever arm that is seen, axes of the path \[m\]; what is not seen is 0.
+    pub fn lever_arm_b(&self) -> Vector3<f64> {
+        let seen = self.lever_arm.map(|part| if part.is_seen() { part.value } else { 0.0 });
+        self.rotation.transpose() * Vector3::from(seen)
     }
 
     /// Biases of a triad at the end of the record of the fit.

@@ -7,8 +7,11 @@ use crate::base::error::Error;
 use crate::base::math::{exp, ln};
 use crate::base::memory::room;
 
-/// Coefficients of a sensor: bias, the three signals, the change by a shift of the clock, and by a drift of the clock.
+/// Coefficients of a sensor: bias, the three signals, the change by a shift of the clock, and by a drift of the clock; then those of a fit
+/// that is asked for more: three by forces (gyros) or by the lever arm (accelerometers), and the asymmetry.
 pub(super) const COEFFICIENTS: usize = COLUMNS - 1;
+/// Number of those that each fit has.
+const ALWAYS: usize = 6;
 pub(super) type Information = SMatrix<f64, COEFFICIENTS, COEFFICIENTS>;
 pub(super) type Coefficients = SVector<f64, COEFFICIENTS>;
 
@@ -110,7 +113,7 @@ fn fit(filter: &Filter<'_>, rows: &[Columns], shape: Shape, scale: &Coefficients
     let side = xy.component_mul(scale);
     let n = rows.len() as f64;
     // A residual of nothing, as of perfect sensors, has the noise of rounding.
-    let floor = f64::MIN_POSITIVE + 1e-28 * xx.diagonal().max();
+    let floor = f64::MIN_POSITIVE + 1e-28 * xx.diagonal().rows(0, ALWAYS).max();
     let mut square = yy / n + floor;
     for _ in 0..4 {
         let inverse = (Information::identity() + scaled / square).cholesky()?.inverse();

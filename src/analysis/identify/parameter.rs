@@ -5,8 +5,9 @@ use nalgebra::{Matrix3, Vector3};
 use super::noise::{COEFFICIENTS, Coefficients};
 use super::solve::{Matrix, Vector};
 
-/// Number of parameters: three angles of the mounting, shift and drift of the clock, three biases and nine elements of each triad.
-pub const PARAMETERS: usize = 29;
+/// Number of parameters: three angles of the mounting, shift and drift of the clock, three biases and nine elements of each triad; then
+/// those of [`super::Also`]: three of the lever arm, nine g-sensitivities, and three asymmetries of each triad.
+pub const PARAMETERS: usize = 47;
 
 /// Places of the parameters in a solution.
 pub(super) struct Place;
@@ -29,6 +30,19 @@ impl Place {
         8 + 12 * part + 3 * row + column
     }
 
+    pub const fn lever_arm(axis: usize) -> usize {
+        29 + axis
+    }
+
+    /// Of gyro `row` to the force along an axis.
+    pub const fn g_sensitivity(row: usize, column: usize) -> usize {
+        32 + 3 * row + column
+    }
+
+    pub const fn asymmetry(part: usize, axis: usize) -> usize {
+        41 + 3 * part + axis
+    }
+
     /// The coefficients of a sensor in a solution.
     pub fn coefficients(sensor: usize, x: &Vector) -> [f64; COEFFICIENTS] {
         let (part, axis) = (sensor / 3, sensor % 3);
@@ -47,6 +61,7 @@ pub(super) fn turning_sign(row: usize, column: usize) -> f64 {
 /// ```text
 /// c = mean of (E21 - E12)/2, (E02 - E20)/2, (E10 - E01)/2 over both triads,   φ + c,   E - [c×]
 /// ```
+#[inline(never)]
 pub(super) fn to_block_axes() -> Matrix {
     let mut change = Matrix::identity();
     for third in 0..3 {
@@ -65,6 +80,16 @@ pub(super) fn to_block_axes() -> Matrix {
         }
     }
     change
+}
+
+/// The rotation that the misalignments of both triads of a solution have in common.
+pub(super) fn common_rotation(x: &Vector) -> Vector3<f64> {
+    Vector3::from_fn(|third, _| {
+        let (row, column) = ((third + 1) % 3, (third + 2) % 3);
+        let ways = [(row, column), (column, row)];
+        let of = |part: usize| ways.map(|(i, j)| 0.25 * turning_sign(i, j) * x[Place::element(part, i, j)]);
+        of(0).iter().chain(&of(1)).sum()
+    })
 }
 
 /// A parameter that was found.
@@ -98,12 +123,19 @@ pub struct TriadEstimate {
     pub bias: [Estimate; 3],
     /// Scale factor errors and misalignments.
     pub elements: [[Estimate; 3]; 3],
+    /// Scale factor of positive signals less that of negative ones \[1\], if the request asks for it; otherwise 0.
+    pub asymmetry: [Estimate; 3],
 }
 
 impl TriadEstimate {
     /// The biases.
     pub(super) fn biases(&self) -> Vector3<f64> {
         Vector3::from_fn(|axis, _| self.bias[axis].value)
+    }
+
+    /// The asymmetries.
+    pub(super) fn asymmetries(&self) -> Vector3<f64> {
+        Vector3::from_fn(|axis, _| self.asymmetry[axis].value)
     }
 
     /// The matrix of scale factor errors and misalignments.

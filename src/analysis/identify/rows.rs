@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
+use super::Also;
 use super::blocks::Block;
 use super::noise::COEFFICIENTS;
 use super::parameter::{PARAMETERS, Place, turning_sign};
@@ -9,6 +10,9 @@ use super::path::{IdealPath, Six};
 use super::whiten::Columns;
 use crate::base::error::Error;
 use crate::base::memory::room;
+
+/// Parts of a block whose sizes are taken one by one.
+const SIZE_PARTS: usize = 5;
 
 /// About what the fit is linear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +30,10 @@ pub(super) struct About {
     pub common: Vector3<f64>,
     /// The rotation of both [rad].
     pub mounting: Vector3<f64>,
+    /// Lever arm that the path has [m], axes of the path.
+    pub lever_b: Vector3<f64>,
+    /// What the fit has beside.
+    pub also: Also,
 }
 
 impl About {
@@ -61,27 +69,48 @@ impl Rows {
             rows.places.push(place);
             last = Some(block.end_s);
             let since_s = block.middle_s() - about.middle_s;
-            for part in 0..2 {
-                let (ideal, change) = (turned(&mean, part), turned(&change, part));
-                for axis in 0..3 {
-                    let rest = block.mean[3 * part + axis] - ideal[axis];
-                    rows.of_sensor[3 * part + axis].push([
-                        rest,
-                        1.0,
-                        ideal.x,
-                        ideal.y,
-                        ideal.z,
-                        change[axis],
-                        since_s * change[axis],
-                    ]);
-                }
+            let ideal = [0, 1].map(|part| turned(&mean, part));
+            let change = [0, 1].map(|part| turned(&change, part));
+            let sizes = match about.also.asymmetry {
+                true => mean_sizes(path, about, ends),
+                false => Six::zeros(),
+            };
+            // Gyros sense forces; accelerometers away from the point of the path sense (α× + ω×ω×) r.
+            let lever = change[0].cross_matrix() + ideal[0].cross_matrix() * ideal[0].cross_matrix();
+            for (part, axis) in (0..6).map(|sensor| (sensor / 3, sensor % 3)) {
+                let beside = if part == 0 { ideal[1].transpose() } else { lever.row(axis).into_owned() };
+                rows.of_sensor[3 * part + axis].push([
+                    block.mean[3 * part + axis] - ideal[part][axis],
+                    1.0,
+                    ideal[part].x,
+                    ideal[part].y,
+                    ideal[part].z,
+                    change[part][axis],
+                    since_s * change[part][axis],
+                    beside[0],
+                    beside[1],
+                    beside[2],
+                    0.5 * sizes[3 * part + axis],
+                ]);
             }
         }
         Ok(rows)
     }
 }
 
-/// Coefficients of a sensor by the parameters: bias, error matrix and mounting rotation φ, of which the record has φ×u more.
+/// Means of |u| between two times of the path: a signal may change its sign within a block.
+fn mean_sizes(path: &IdealPath, about: &About, [from_s, to_s]: [f64; 2]) -> Six {
+    let at = |part: usize| from_s + (to_s - from_s) * part as f64 / SIZE_PARTS as f64;
+    let means = (0..SIZE_PARTS).filter_map(|part| path.mean(at(part), at(part + 1)));
+    let sum = means.fold(Six::zeros(), |sum, (mean, _)| {
+        let turned = [0, 3].map(|first| about.axes * mean.fixed_rows::<3>(first));
+        sum + Six::from_fn(|k, _| turned[k / 3][k % 3].abs())
+    });
+    sum / SIZE_PARTS as f64
+}
+
+/// Coefficients of a sensor by the parameters: bias, error matrix and mounting rotation φ, of which the record has φ×u more, and what was
+/// asked for beside.
 pub(super) fn coefficients(part: usize, axis: usize) -> SMatrix<f64, COEFFICIENTS, PARAMETERS> {
     let mut matrix = SMatrix::zeros();
     matrix[(0, Place::bias(part, axis))] = 1.0;
@@ -95,5 +124,10 @@ pub(super) fn coefficients(part: usize, axis: usize) -> SMatrix<f64, COEFFICIENT
     }
     matrix[(4, Place::CLOCK)] = 1.0;
     matrix[(5, Place::DRIFT)] = 1.0;
+    for column in 0..3 {
+        let place = if part == 0 { Place::g_sensitivity(axis, column) } else { Place::lever_arm(column) };
+        matrix[(6 + column, place)] = 1.0;
+    }
+    matrix[(9, Place::asymmetry(part, axis))] = 1.0;
     matrix
 }

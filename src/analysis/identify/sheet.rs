@@ -2,14 +2,14 @@
 
 use super::{Estimate, Identified, NoiseEstimate, SensorNoise, TriadEstimate};
 use crate::base::figures::{MICRO_G, Unit};
-use crate::base::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, PPM};
+use crate::base::units::{ARCSEC, DEG_PER_HOUR, DEG_PER_SQRT_HOUR, PPM, STANDARD_GRAVITY};
 
 /// Names of the axes.
 pub const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A parameter of one sensor.
 pub struct Line {
-    /// Key of a scene that has it.
+    /// Key of a scene that has it, in the section of the triad; empty: in another one.
     pub key: &'static str,
     /// "bias x".
     pub name: String,
@@ -41,10 +41,19 @@ pub struct NoiseLine {
 pub struct Sheet {
     /// Section of a scene that has it.
     pub section: &'static str,
-    /// Parameters that the motion shows.
+    /// Parameters that each fit has.
     pub lines: Vec<Line>,
+    /// Those of [`super::Also`], whether they are asked for or not.
+    pub also: Vec<Line>,
     /// Coefficients of the noise.
     pub noises: Vec<NoiseLine>,
+}
+
+impl Sheet {
+    /// The parameters of the fit.
+    pub fn fitted(&self) -> impl Iterator<Item = &Line> {
+        self.lines.iter().chain(self.also.iter().filter(|line| line.estimate.prior > 0.0))
+    }
 }
 
 const fn unit(name: &'static str, si: f64) -> Unit {
@@ -57,6 +66,7 @@ pub fn sheets(found: &Identified) -> [Sheet; 2] {
     let gyro = Sheet {
         section: "gyro",
         lines: lines(&found.gyro, ("bias_deg_h", unit("°/h", DEG_PER_HOUR), "rad/s"), false),
+        also: g_sensitivities(found).chain(asymmetries(&found.gyro, "turns about")).collect(),
         noises: noises(
             &found.noise[..3],
             [
@@ -69,6 +79,7 @@ pub fn sheets(found: &Identified) -> [Sheet; 2] {
     let accel = Sheet {
         section: "accelerometer",
         lines: lines(&found.accel, ("bias_micro_g", MICRO_G, "m/s2"), true),
+        also: lever_arms(found).chain(asymmetries(&found.accel, "forces along")).collect(),
         noises: noises(
             &found.noise[3..],
             [
@@ -119,6 +130,40 @@ fn lines(triad: &TriadEstimate, (bias, bias_unit, bias_si): Key, is_force: bool)
         lines.push(Line { key, name, unit, si: "rad", estimate, shown_by });
     }
     lines
+}
+
+fn g_sensitivities(found: &Identified) -> impl Iterator<Item = Line> {
+    (0..9).map(|k| (k / 3, k % 3)).map(|(row, column)| Line {
+        key: "g_sensitivity_deg_h_per_g",
+        name: format!("g-sensitivity {}{}", AXES[row], AXES[column]),
+        unit: unit("°/h/g", DEG_PER_HOUR / STANDARD_GRAVITY),
+        si: "(rad/s)/(m/s2)",
+        estimate: found.g_sensitivity[row][column],
+        shown_by: format!("more tilts that bring gravity along {} and off it", AXES[column]),
+    })
+}
+
+fn asymmetries(triad: &TriadEstimate, motion: &'static str) -> impl Iterator<Item = Line> {
+    triad.asymmetry.into_iter().zip(AXES).map(move |(estimate, axis)| Line {
+        key: "scale_factor_asymmetry_ppm",
+        name: format!("asymmetry {axis}"),
+        unit: unit("ppm", PPM),
+        si: "1",
+        estimate,
+        shown_by: format!("more {motion} {axis} in both directions"),
+    })
+}
+
+/// Their key is one of another section.
+fn lever_arms(found: &Identified) -> impl Iterator<Item = Line> {
+    found.lever_arm.into_iter().zip(AXES).map(|(estimate, axis)| Line {
+        key: "",
+        name: format!("lever arm {axis}"),
+        unit: unit("m", 1.0),
+        si: "m",
+        estimate,
+        shown_by: format!("more turns about other axes than {axis}"),
+    })
 }
 
 fn noises(of: &[SensorNoise], keys: [Key; 3]) -> Vec<NoiseLine> {

@@ -8,7 +8,7 @@ use super::blocks::{Block, Blocks};
 use super::clock::{KNOWN_S, MUCH, Search};
 use super::jump::{self, Jump};
 use super::noise::{Coefficients, Evidence, Shapes, TOO_EXACT, evidences};
-use super::parameter::{PARAMETERS, Place, to_block_axes, turning_sign};
+use super::parameter::{PARAMETERS, Place, common_rotation, to_block_axes, turning_sign};
 use super::path::IdealPath;
 use super::rows::{About, Rows, coefficients};
 use super::unfit::{check_gaps, check_number, check_priors, check_spikes, check_stuck, other_forces};
@@ -17,6 +17,7 @@ use super::whiten::Steps;
 use super::{Identified, Request, pieces};
 use crate::base::error::{Error, Rule};
 use crate::base::math::{rotation_matrix, rotation_quaternion, rotation_vector};
+use crate::base::memory::{only, room};
 
 /// Rounds of the fit, each about the last solution.
 const ROUNDS: usize = 16;
@@ -30,6 +31,8 @@ pub(super) const CLOCK_S: f64 = KNOWN_S;
 pub(super) const DRIFT: f64 = 1e-4;
 /// Least time in common of a shift that is not stated, as a part of the shorter one of path and record.
 const LEAST_COMMON: f64 = 0.5;
+/// Rounds in which the path gets the lever arm that was found.
+const LEVER_ROUNDS: usize = 2;
 /// Rounds in which size and time of a jump of the clock are found.
 const JUMP_ROUNDS: usize = 8;
 /// Change of the size of a jump that ends these rounds [s].
@@ -58,52 +61,96 @@ pub(super) fn identify(
             return Err(jump.error(&blocks));
         }
     }
-    let start = begin(path, &blocks, &search, request)?;
-    let fitted = fit(path, &blocks, request, start)?;
+    let mut start = begin(path, &blocks, &search, request)?;
+    let mut fitted = fit(path, &blocks, request, start)?;
+    // The rows are linear in the lever arm but for what changes within a block; the path has all of it.
+    let mut moved = None;
+    for _ in 0..if request.also.lever_arm { LEVER_ROUNDS } else { 0 } {
+        start.0.lever_b = fitted.lever_b();
+        let moved = moved.insert(path.clone().with_lever_arm(&start.0.lever_b)?);
+        fitted = fit(moved, &blocks, request, start)?;
+    }
+    let (path, fitted) = (moved.as_ref().unwrap_or(path), &fitted);
     // Where the path lacks the forces, a jump and a parameter beyond its prior are its traces in the fit.
     let cause = |error: Error| other_forces(&fitted.rows).unwrap_or(error);
-    if let Some(jump) = jump::small(&fitted, blocks.len(), interval_s)? {
+    if let Some(jump) = jump::small(fitted, blocks.len(), interval_s)? {
         let jump = refined(path, &blocks, request, jump);
         if jump.is_large(interval_s) {
             return Err(cause(jump.error(&blocks)));
         }
     }
-    check_spikes(&fitted)?;
-    let g_sensitivity = check_beyond(&fitted).map_err(cause)?;
-    let (x, covariance) = &fitted.solution;
-    let change = to_block_axes();
-    let solution = (change * x, change * covariance * change.transpose());
-    let noise = fitted.evidences.map(|one| one.noise);
-    let for_twins = (change * root(covariance, &fitted.prior)?, walks(&fitted)?);
-    let found = Identified::new(request, &solution, for_twins, noise, &fitted.about, start.1, &fitted.rows);
-    let found = Identified { g_sensitivity, ..found };
+    check_spikes(fitted)?;
+    let left_g_sensitivity = check_beyond(fitted, request.also, cause)?;
+    let found = Identified { left_g_sensitivity, ..concluded(fitted, request, start.1)? };
     check_priors(&found).map_err(cause)?;
     Ok(found)
 }
 
-/// A square root of the covariance, scaled by the priors: times normal numbers, it gives errors of the solution.
-fn root(covariance: &Matrix, prior: &Vector) -> Result<Matrix, Error> {
+/// What a fit says of the sensors, in the axes of the block. Not inlined, as all that holds matrices: they are not on the stack at once.
+#[inline(never)]
+fn concluded(fitted: &Fitted, request: &Request, axes: Axes) -> Result<Identified, Error> {
+    let change = to_block_axes();
+    let solution = changed(&change, fitted)?;
+    let for_twins = (root(&change, fitted)?, walks(fitted)?);
+    Ok(Identified::new(request, &change, &solution[0], for_twins, fitted, axes))
+}
+
+/// The solution in the axes of the block.
+#[inline(never)]
+fn changed(change: &Matrix, fitted: &Fitted) -> Result<InMemory<Solution>, Error> {
+    let [(x, covariance)] = &*fitted.solution;
+    let mut solution = in_memory(no_solution)?;
+    let [(changed, of_block)] = &mut *solution;
+    changed.gemv(1.0, change, x, 0.0);
+    let half = change * covariance;
+    of_block.gemm(1.0, &half, &change.transpose(), 0.0);
+    Ok(solution)
+}
+
+/// A square root of the covariance in the axes of the block, scaled by the priors: times normal numbers, it gives errors of the solution.
+#[inline(never)]
+fn root(change: &Matrix, fitted: &Fitted) -> Result<InMemory<Matrix>, Error> {
+    let ([(_, covariance)], prior) = (&*fitted.solution, &fitted.prior);
     let scaled = Matrix::from_fn(|i, j| covariance[(i, j)] / (prior[i] * prior[j]));
-    let factor = scaled.cholesky().ok_or_else(|| Error::bad_state(TOO_EXACT))?.l();
-    Ok(Matrix::from_diagonal(prior) * factor)
+    let mut factor = scaled.cholesky().ok_or_else(|| Error::bad_state(TOO_EXACT))?.unpack();
+    factor.row_iter_mut().zip(prior).for_each(|(mut row, sigma)| row *= *sigma);
+    let mut root = in_memory(Matrix::zeros)?;
+    root[0].gemm(1.0, change, &factor, 0.0);
+    Ok(root)
+}
+
+/// A value beside the stack.
+pub(super) type InMemory<T> = Box<[T; 1]>;
+
+#[inline(never)]
+fn in_memory<T>(make: fn() -> T) -> Result<InMemory<T>, Error> {
+    let mut place = room(1)?;
+    place.push(make());
+    only(place)
+}
+
+fn no_solution() -> Solution {
+    (Vector::zeros(), Matrix::zeros())
 }
 
 /// Size and time of a jump by fits of the record without it.
+#[inline(never)]
 fn refined(path: &IdealPath, blocks: &[Block], request: &Request, mut jump: Jump) -> Jump {
+    // A round that moves much further than the one before follows the rounding of a record without noise.
+    let mut last_step_s = f64::INFINITY;
     for _ in 0..JUMP_ROUNDS {
         let better = || {
             let moved = jump.undone(blocks)?;
             let start = begin(path, &moved, &Search::new(path, &moved, request.shift_s)?, request)?;
             jump.better(path, blocks, &fit(path, &moved, request, start)?)
         };
-        match better() {
-            Ok(better)
-                if (better.change_s - jump.change_s).abs() > JUMP_DONE_S || better.behind != jump.behind =>
-            {
-                jump = better;
-            }
-            _ => break,
+        let Ok(better) = better() else { break };
+        let step_s = (better.change_s - jump.change_s).abs();
+        let is_done = step_s <= JUMP_DONE_S && better.behind == jump.behind;
+        if is_done || step_s > 2.0 * last_step_s.max(JUMP_DONE_S) {
+            break;
         }
+        (jump, last_step_s) = (better, step_s);
     }
     jump
 }
@@ -160,6 +207,8 @@ fn begin(
         turned: Vector3::zeros(),
         common: Vector3::zeros(),
         mounting: Vector3::zeros(),
+        lever_b: Vector3::zeros(),
+        also: request.also,
     };
     Ok((about, matched.axes))
 }
@@ -183,14 +232,23 @@ fn check_common(path: &IdealPath, blocks: &[Block], offset_s: f64) -> Result<(),
 pub(super) struct Fitted {
     pub rows: Rows,
     /// About `about`.
-    pub solution: Solution,
+    pub solution: InMemory<Solution>,
     pub evidences: [Evidence; 6],
     pub about: About,
     /// Standard deviations of the parameters before the record.
     pub prior: Vector,
 }
 
+impl Fitted {
+    /// The lever arm that was found [m], axes of the path.
+    fn lever_b(&self) -> Vector3<f64> {
+        let more = Vector3::from_fn(|axis, _| self.solution[0].0[Place::lever_arm(axis)]);
+        self.about.lever_b + self.about.axes.transpose() * more
+    }
+}
+
 /// The rounds of the fit.
+#[inline(never)]
 fn fit(
     path: &IdealPath,
     blocks: &[Block],
@@ -205,14 +263,13 @@ fn fit(
         check_number(rows.blocks.len(), blocks)?;
         let is_last = round == ROUNDS;
         let (solution, evidences) = joint(&rows, request, &prior, &start, &about, shapes)?;
-        let (x, _) = solution;
+        let [(x, _)] = &*solution;
         let turn = Vector3::from_fn(|k, _| x[Place::mounting(k)]);
-        let changed = to_block_axes() * x;
-        let common = Vector3::from_fn(|k, _| changed[Place::mounting(k)]) - turn;
+        let common = common_rotation(x);
         let clock_s = x[Place::CLOCK].abs() + x[Place::DRIFT].abs() * (about.last_s - about.middle_s);
         if is_last || (round > 0 && clock_s < CLOCK_DONE_S && (turn + common).norm() < MOUNTING_DONE) {
             if is_last {
-                check_converged(&solution)?;
+                check_converged(&solution[0])?;
             }
             // The last solution has the noise of all shapes.
             let (solution, evidences) = joint(&rows, request, &prior, &start, &about, Shapes::All)?;
@@ -250,6 +307,7 @@ fn check_converged((x, covariance): &Solution) -> Result<(), Error> {
 pub(super) type Solution = (Vector, Matrix);
 
 /// One linear solution: parameters less those of `about`, and their covariance.
+#[inline(never)]
 fn joint(
     rows: &Rows,
     request: &Request,
@@ -257,12 +315,14 @@ fn joint(
     start: &About,
     about: &About,
     shapes: Shapes,
-) -> Result<(Solution, [Evidence; 6]), Error> {
+) -> Result<(InMemory<Solution>, [Evidence; 6]), Error> {
     let steps = Steps::new(&rows.blocks)?;
     let (first, last) = (rows.blocks[0], rows.blocks[rows.blocks.len() - 1]);
     let span_s = last.end_s - first.start_s;
     let block_s = rows.blocks.iter().map(Block::length_s).sum::<f64>() / rows.blocks.len() as f64;
-    let mut information = Matrix::from_diagonal(&prior.map(|sigma| 1.0 / (sigma * sigma)));
+    let mut solution = in_memory(no_solution)?;
+    let [(x, information)] = &mut *solution;
+    information.set_diagonal(&prior.map(|sigma| 1.0 / (sigma * sigma)));
     // The priors of what `about` has are those of the whole, not of the rest.
     let mut expected = Vector::zeros();
     for k in 0..3 {
@@ -274,29 +334,46 @@ fn joint(
             }
         }
     }
+    let lever = about.axes * about.lever_b;
+    (0..3).for_each(|axis| expected[Place::lever_arm(axis)] = -lever[axis]);
     expected[Place::CLOCK] = start.offset_s - about.offset_s;
     expected[Place::DRIFT] = -about.drift;
-    let mut vector = information * expected;
+    let mut vector = *information * expected;
     let scales = core::array::from_fn(|sensor| {
         let (part, axis) = (sensor / 3, sensor % 3);
         let factor = prior[Place::element(part, axis, (axis + 1) % 3)]
             .max(prior[Place::element(part, axis, axis)])
             .max(request.prior.mounting);
         let bias = prior[Place::bias(part, axis)];
-        Coefficients::from_column_slice(&[bias, factor, factor, factor, CLOCK_S, DRIFT]) * WIDER
+        let beside = if part == 0 { Place::g_sensitivity(axis, 0) } else { Place::lever_arm(0) };
+        let (beside, asymmetry) = (prior[beside], prior[Place::asymmetry(part, axis)]);
+        let always = [bias, factor, factor, factor, CLOCK_S, DRIFT];
+        let all = always.into_iter().chain([beside, beside, beside, asymmetry]);
+        Coefficients::from_iterator(all) * WIDER
     });
     let evidences = evidences(&steps, &rows.of_sensor, (block_s, span_s), &scales, shapes)?;
     for (sensor, one) in evidences.iter().enumerate() {
         let by_parameters = coefficients(sensor / 3, sensor % 3);
-        information += by_parameters.transpose() * one.information * by_parameters;
+        let half = by_parameters.transpose() * one.information;
+        information.gemm(1.0, &half, &by_parameters, 1.0);
         vector += by_parameters.transpose() * one.vector;
     }
-    // Scaled by the priors: the information has units of many sizes.
+    invert(information, prior).ok_or_else(|| Error::bad_state(TOO_EXACT))?;
+    x.gemv(1.0, information, &vector, 0.0);
+    Ok((solution, evidences))
+}
+
+/// Inverts an information, scaled by the priors: it has units of many sizes.
+#[inline(never)]
+pub(super) fn invert(information: &mut Matrix, prior: &Vector) -> Option<()> {
     let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
-    let unsolved = || Error::bad_state(TOO_EXACT);
-    let inverse = scaled.cholesky().ok_or_else(unsolved)?.inverse();
-    let covariance = Matrix::from_fn(|i, j| prior[i] * inverse[(i, j)] * prior[j]);
-    Ok(((covariance * vector, covariance), evidences))
+    let inverse = scaled.cholesky()?.inverse();
+    information.zip_apply(&inverse, |place, value| *place = value);
+    for (k, sigma) in prior.iter().enumerate() {
+        information.row_mut(k).scale_mut(*sigma);
+        information.column_mut(k).scale_mut(*sigma);
+    }
+    Some(())
 }
 
 #[cfg(test)]

@@ -84,22 +84,35 @@ pub fn sections(found: &Identified, axes: BodyAxes) -> String {
 fn mounting(found: &Identified, of_vehicle: BodyAxes) -> String {
     let words = axes(&found.axes.exchange, found.axes.is_seen);
     let euler = found.boresight(of_vehicle);
-    if [euler.roll, euler.pitch, euler.heading].iter().all(|angle| angle.abs() < NO_TURN) {
-        return format!("\n# axes: {words}\n");
+    let mut text = format!("\n# axes: {words}\n");
+    let angles = [euler.roll, euler.pitch, euler.heading];
+    let is_turned = angles.iter().any(|angle| angle.abs() >= NO_TURN);
+    let is_seen = found.lever_arm.iter().any(Estimate::is_seen);
+    if is_turned || is_seen {
+        text += "[mounting]\n";
     }
-    let angles = [euler.roll, euler.pitch, euler.heading].map(|angle| rounded(angle / DEG, 9));
-    format!("\n# axes: {words}\n[mounting]\nboresight_deg = [{}, {}, {}]\n", angles[0], angles[1], angles[2])
+    if is_turned {
+        let [roll, pitch, heading] = angles.map(|angle| rounded(angle / DEG, 9));
+        text += &format!("boresight_deg = [{roll}, {pitch}, {heading}]\n");
+    }
+    if is_seen {
+        let [x, y, z] = <[f64; 3]>::from(found.lever_arm_b()).map(|part| rounded(part, 4));
+        text += &format!("lever_arm_m = [{x}, {y}, {z}]\n");
+    }
+    text
 }
 
 /// Values of the parameters that were seen on at least one axis, the standard deviations that are left, and comments about the others.
-fn section(Sheet { section, lines, noises, .. }: &Sheet) -> String {
+fn section(sheet: &Sheet) -> String {
+    let Sheet { section, noises, .. } = sheet;
     let mut text = format!("\n[{section}]\n");
+    let lines: Vec<&Line> = sheet.fitted().collect();
     for of_key in lines.chunk_by(|a, b| a.key == b.key) {
         let key = of_key[0].key;
         let is_matrix = of_key.len() == 6;
         let value =
             |line: &Line, of: f64| if line.estimate.is_seen() { rounded(of / line.unit.si, 6) } else { 0.0 };
-        if of_key.iter().any(|line| line.estimate.is_seen()) {
+        if !key.is_empty() && of_key.iter().any(|line| line.estimate.is_seen()) {
             let values = |of: &dyn Fn(&Line) -> f64| {
                 let numbers: Vec<f64> = of_key.iter().map(|line| value(line, of(line))).collect();
                 let numbers = if is_matrix { beside_diagonal(&numbers) } else { numbers };
@@ -108,7 +121,9 @@ fn section(Sheet { section, lines, noises, .. }: &Sheet) -> String {
             let unit = unit(key);
             let stem = key.strip_suffix(unit).unwrap_or(key);
             text += &format!("{key} = [{}]\n", values(&|line| line.estimate.value));
-            text += &format!("{stem}_sigma{unit} = [{}]\n", values(&|line| line.estimate.sigma));
+            if WITH_SIGMA.contains(&stem) {
+                text += &format!("{stem}_sigma{unit} = [{}]\n", values(&|line| line.estimate.sigma));
+            }
         }
         for line in of_key {
             text += &format!("# {}: {}\n", line.name, seen(line));
@@ -129,6 +144,9 @@ fn section(Sheet { section, lines, noises, .. }: &Sheet) -> String {
     }
     text
 }
+
+/// Stems of the keys that have a key for their standard deviation beside them.
+const WITH_SIGMA: [&str; 3] = ["bias", "scale_factor", "misalignment"];
 
 /// The unit at the end of a key.
 fn unit(key: &str) -> &'static str {

@@ -95,7 +95,7 @@ pub(super) fn check_stuck(search: &Search, blocks: &[Block]) -> Result<(), Error
 /// Rejects a block in which a sensor has a value that neither the path nor its usual noise explains.
 pub(super) fn check_spikes(fitted: &Fitted) -> Result<(), Error> {
     for (sensor, rows) in fitted.rows.of_sensor.iter().enumerate() {
-        let solved = Place::coefficients(sensor, &fitted.solution.0);
+        let solved = Place::coefficients(sensor, &fitted.solution[0].0);
         let mut rests: Vec<(f64, usize)> = room(rows.len())?;
         rests.extend(rows.iter().enumerate().map(|(row, columns)| {
             let explained: f64 = solved.iter().zip(&columns[1..]).map(|(c, column)| c * column).sum();
@@ -208,6 +208,14 @@ pub(super) fn check_priors(found: &Identified) -> Result<(), Error> {
         Err(index.map_or(error, |index| error.at(index)))
     };
     check("record.drift", None, &found.drift)?;
+    for axis in 0..3 {
+        check("mounting.lever_arm", Some(axis), &found.lever_arm[axis])?;
+        check("gyro.asymmetry", Some(axis), &found.gyro.asymmetry[axis])?;
+        check("accelerometer.asymmetry", Some(axis), &found.accel.asymmetry[axis])?;
+        for column in 0..3 {
+            check("gyro.g_sensitivity", Some(3 * axis + column), &found.g_sensitivity[axis][column])?;
+        }
+    }
     let triads = [
         (&found.gyro, ["gyro.bias", "gyro.scale_factor", "gyro.misalignment"]),
         (&found.accel, ["accelerometer.bias", "accelerometer.scale_factor", "accelerometer.misalignment"]),

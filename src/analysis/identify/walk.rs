@@ -36,7 +36,7 @@ pub(super) fn walks(fitted: &Fitted) -> Result<[Walk; 6], Error> {
         walk.by = core::array::from_fn(|k| last[1 + k]);
         walk.sigma = (evidence.square * filter.walk_variance).sqrt();
         walk.mean = last[0];
-        walk.mean = walk.with(sensor, &fitted.solution.0);
+        walk.mean = walk.with(sensor, &fitted.solution[0].0);
     }
     Ok(walks)
 }

@@ -7,7 +7,7 @@ use crate::base::error::Error;
 use crate::base::memory::room;
 
 /// Data column and columns of the parameters of one axis.
-pub(super) const COLUMNS: usize = 7;
+pub(super) const COLUMNS: usize = 11;
 pub(super) type Columns = [f64; COLUMNS];
 
 const PROCESSES: usize = FLICKER_PROCESSES.len();
@@ -234,7 +234,8 @@ mod tests {
             mean_of(k, l, &covariance) + if k == l { 1.0 / lengths[k] } else { 0.0 }
         });
         let data = [0.3, -1.0, 0.7, 2.0, -0.4, 0.1];
-        let rows: Vec<Columns> = data.iter().map(|y| [*y, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).collect();
+        let with_bias = |y: f64| core::array::from_fn(|k| [y, 1.0].get(k).copied().unwrap_or(0.0));
+        let rows: Vec<Columns> = data.iter().map(|y| with_bias(*y)).collect();
         let (mut squares, mut mixed) = (0.0, 0.0);
         let steps = Steps::new(&blocks).unwrap();
         let filter = steps.filter(shape).unwrap();

@@ -243,7 +243,7 @@ fn what_is_beyond_the_model_is_named() {
     };
     let record = Unit::default().record(&aerobatics, (from_s, to_s));
     let of_gyros = identify(&along, &record, &Request::default()).unwrap();
-    assert_eq!(of_gyros.g_sensitivity, None);
+    assert_eq!(of_gyros.left_g_sensitivity, None);
     for late_s in [0.004, -0.004] {
         let mut record = record.clone();
         let early = Unit::default().record(&aerobatics, (from_s - late_s, to_s - late_s));
@@ -262,6 +262,6 @@ fn what_is_beyond_the_model_is_named() {
     assert!(misalignment.value.abs() < 4.0 * misalignment.sigma, "{misalignment:?}");
     let sensing = TriadParameters { g_sensitivity: Matrix3::identity() * 2e-5, ..Unit::default().gyro };
     let record = Unit { gyro: sensing, ..Unit::default() }.record(&aerobatics, (from_s, to_s));
-    let size = identify(&along, &record, &Request::default()).unwrap().g_sensitivity.unwrap();
+    let size = identify(&along, &record, &Request::default()).unwrap().left_g_sensitivity.unwrap();
     assert!((size / 2e-5 - 1.0).abs() < 0.2, "{size}");
 }

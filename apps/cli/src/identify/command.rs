@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::Matrix3;
 use sins::analysis::identify::check::CheckRequest;
-use sins::analysis::identify::{Prior, Request};
+use sins::analysis::identify::{Also, Prior, Request};
 use sins::sensors::Grade;
 
 use super::check::truth_sigma;
@@ -70,6 +70,11 @@ pub struct Order {
     /// Record and path are compared by their means over a period of it.
     #[arg(long, value_name = "HZ")]
     pub cutoff: Option<f64>,
+    /// Parameters that are found beside the others: lever-arm, g-sensitivity, asymmetry
+    ///
+    /// A record whose motion does not tell them from the others tells all of them less well.
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    pub also: Vec<AlsoName>,
     /// Axes of the path along x, y and z of the record, if they are known: "y x -z"
     #[arg(long, value_name = "AXES", allow_hyphen_values = true)]
     pub axes: Option<String>,
@@ -96,6 +101,14 @@ pub struct Order {
     /// Also replaces files that this program did not write
     #[arg(long)]
     pub force: bool,
+}
+
+/// A parameter that is found if it is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum AlsoName {
+    LeverArm,
+    GSensitivity,
+    Asymmetry,
 }
 
 impl Order {
@@ -164,7 +177,18 @@ impl Order {
             return Err(Failure::new(format!("--cutoff {cutoff}: expected 0.001 to 1e6 Hz")));
         }
         let axes = self.axes.as_deref().map(axes).transpose()?;
-        Ok(Request { prior: Prior::of(grade), axes, shift_s: self.shift, cutoff_hz: self.cutoff })
+        let has = |name: AlsoName| self.also.contains(&name);
+        let also = Also {
+            lever_arm: has(AlsoName::LeverArm),
+            g_sensitivity: has(AlsoName::GSensitivity),
+            asymmetry: has(AlsoName::Asymmetry),
+        };
+        if also.lever_arm && self.check {
+            return Err(Failure::new(
+                "--also lever-arm: --check flies from the point of the path; expected one of both",
+            ));
+        }
+        Ok(Request { prior: Prior::of(grade), axes, shift_s: self.shift, cutoff_hz: self.cutoff, also })
     }
 }
 

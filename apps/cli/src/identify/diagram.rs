@@ -38,7 +38,7 @@ pub fn legend_of_priors() -> Legend {
 
 /// The parameters of a triad as intervals, in standard deviations of their priors.
 pub fn priors(sheet: &Sheet) -> Drawing {
-    let lines = &sheet.lines;
+    let lines: Vec<&Line> = sheet.fitted().collect();
     let count = lines.len();
     // The first line is the highest.
     let row = |k: usize| (count - 1 - k) as f64;
@@ -46,7 +46,7 @@ pub fn priors(sheet: &Sheet) -> Drawing {
         let (low, high) = line.estimate.interval();
         (low / line.estimate.prior, high / line.estimate.prior)
     };
-    let far = lines.iter().map(ends).fold(HALF, |far, (low, high)| far.max(-low).max(high));
+    let far = lines.iter().copied().map(ends).fold(HALF, |far, (low, high)| far.max(-low).max(high));
     let (low, high) = (-0.5, count as f64 - 0.5);
     let band = vec![(-HALF, low), (HALF, low), (HALF, high), (-HALF, high), (-HALF, low)];
     let bars = lines.iter().enumerate().map(|(k, line)| {

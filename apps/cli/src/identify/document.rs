@@ -90,7 +90,7 @@ fn answer(checked: Option<(&Check, &CheckRequest)>, sheets: &[Sheet]) -> String 
             format!("{last}{}.", check::verdict(check, &request.truth))
         }
         None => {
-            let lines = || sheets.iter().flat_map(|sheet| &sheet.lines);
+            let lines = || sheets.iter().flat_map(Sheet::fitted);
             let count = lines().filter(|line| line.estimate.is_seen()).count();
             format!("The motion shows {count} of the {} errors of these sensors.", lines().count())
         }
@@ -123,7 +123,7 @@ pub fn picture(check: &Check) -> Result<String, Failure> {
 
 /// What the motion does not show of a triad.
 fn not_seen(sheet: &Sheet) -> String {
-    let unseen: Vec<&Line> = sheet.lines.iter().filter(|line| !line.estimate.is_seen()).collect();
+    let unseen: Vec<&Line> = sheet.fitted().filter(|line| !line.estimate.is_seen()).collect();
     let reasons = unseen.chunk_by(|a, b| a.shown_by == b.shown_by).map(|lines| {
         let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();
         format!("{} ({} would show it)", names.join(", "), lines[0].shown_by)
@@ -135,7 +135,7 @@ fn not_seen(sheet: &Sheet) -> String {
 }
 
 fn figures(sheet: &Sheet) -> Markup {
-    let lines = sheet.lines.iter().map(|line| (&line.name, seen(line)));
+    let lines = sheet.fitted().map(|line| (&line.name, seen(line)));
     let noises = sheet.noises.iter().map(|line| (&line.name, of_noise(line)));
     let rows = lines.chain(noises).map(|(name, text)| (html! { (name) }, html! { td { (text) } }));
     html! {

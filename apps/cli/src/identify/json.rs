@@ -25,15 +25,14 @@ pub fn text(record: &SensorRecord, found: &Identified, checked: Option<&Check>) 
         exchange.join(", "),
         found.axes.is_seen,
         mounting.join(", "),
-        found.g_sensitivity.map_or("null".to_owned(), |size| size.to_string()),
+        found.left_g_sensitivity.map_or("null".to_owned(), |size| size.to_string()),
         rotation.join(", "),
         parts.join(",\n")
     )
 }
 
 fn sensor(sheet: &Sheet) -> String {
-    let parameters =
-        sheet.lines.iter().map(|line| format!("  \"{}\": {}", line.name, estimate(&line.estimate)));
+    let parameters = sheet.fitted().map(|line| format!("  \"{}\": {}", line.name, estimate(&line.estimate)));
     let noises = sheet.noises.iter().map(|line| {
         let noise = line.estimate;
         format!(

@@ -62,12 +62,20 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             "mounting.lever_arm_m: --check flies from the point of the path; expected the path of the sensors' own place",
         ));
     }
-    let residual_on = |path: &IdealPath, found: &Identified| Residual::new(path, &record, found);
+    if request.also.lever_arm && lever_arm_b != Vector3::zeros() {
+        return Err(Failure::new(
+            "mounting.lever_arm_m: moves the path to the sensors, and --also lever-arm finds how far they are from it; expected one of both",
+        ));
+    }
+    let residual_on = |path: &IdealPath, found: &Identified| {
+        let path = found.path_of_sensors(path.clone()).map_err(|error| Failure::new(error.to_string()))?;
+        Ok::<_, Failure>(Residual::new(&path, &record, found))
+    };
     let (found, checked, residual) = match &of_check {
         Some(of_check) => {
             let truth = flown(&given, |samples| Truth::fly(&given.scene.simulator_options(), samples))?;
             let (found, checked) = identify_and_check(order, &truth, &record, &request, of_check)?;
-            let residual = page.is_some().then(|| residual_on(truth.path(), &found));
+            let residual = page.is_some().then(|| residual_on(truth.path(), &found)).transpose()?;
             (found, Some(checked), residual)
         }
         None => {
@@ -80,7 +88,7 @@ pub fn run(order: &Order) -> Result<(), Failure> {
             };
             let found = identify(&path, &record.increments, &request)
                 .map_err(|error| Failure::of_file(order.record(), &sentence(&error, &record, order)))?;
-            let residual = page.is_some().then(|| residual_on(&path, &found));
+            let residual = page.is_some().then(|| residual_on(&path, &found)).transpose()?;
             (found, None, residual)
         }
     };
@@ -195,7 +203,8 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
         }
         ("record.blocks" | "record.interval_s" | "record.drift", _) => format!("; it is {read_as}"),
         ("gyro.bias" | "gyro.scale_factor" | "gyro.misalignment", _)
-        | ("accelerometer.bias" | "accelerometer.scale_factor" | "accelerometer.misalignment", _) => {
+        | ("accelerometer.bias" | "accelerometer.scale_factor" | "accelerometer.misalignment", _)
+        | ("gyro.g_sensitivity" | "gyro.asymmetry" | "accelerometer.asymmetry", _) => {
             let wider = if order.prior == "consumer" { "" } else { "; --prior consumer is wider" };
             wider.to_owned()
         }
@@ -208,7 +217,7 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
             "; --cutoff HZ compares only the motion below HZ: `sins log` states the frequency above which a smoothed path has lost it".to_owned()
         }
         ("record.lever_arm_m", _) if !order.check => {
-            "; mounting.lever_arm_m of the path's scene moves the path to the sensors".to_owned()
+            "; mounting.lever_arm_m of the path's scene moves the path to the sensors, --also lever-arm finds it".to_owned()
         }
         ("request.shift_s", _) => " (--shift)".to_owned(),
         ("request.axes", _) => " (--axes)".to_owned(),

@@ -28,9 +28,9 @@ pub fn text(given: &Given, record: &SensorRecord, found: &Identified) -> String 
 pub fn head(given: &Given, record: &SensorRecord, found: &Identified) -> [String; 5] {
     let rate = significant(1.0 / record.interval_s);
     let used = time_text(found.blocks as f64 * found.block_s);
-    let sensed = found.g_sensitivity.map(|size| {
+    let sensed = found.left_g_sensitivity.map(|size| {
         format!(
-            "the gyros have a g-sensitivity of about {} °/h/g, which is taken for misalignments",
+            "the gyros have a g-sensitivity of about {} °/h/g, which is taken for misalignments (--also g-sensitivity)",
             significant(size * G / DEG_PER_HOUR)
         )
     });
@@ -58,12 +58,12 @@ pub fn head(given: &Given, record: &SensorRecord, found: &Identified) -> [String
     ]
 }
 
-fn section(Sheet { lines, noises, .. }: &Sheet) -> String {
+fn section(sheet: &Sheet) -> String {
     let mut text = String::new();
-    for line in lines {
+    for line in sheet.fitted() {
         text += &format!("  {:<16} {}\n", line.name, seen(line));
     }
-    for noise in noises {
+    for noise in &sheet.noises {
         text += &format!("  {:<16} {}\n", noise.name, of_noise(noise));
     }
     text

@@ -34,6 +34,52 @@ fn values(scene: &str, section: &str, key: &str) -> Vec<f64> {
     line.trim_end_matches(']').split(", ").map(|number| number.parse().unwrap()).collect()
 }
 
+/// A lever arm, a g-sensitivity and an asymmetry come back if they are asked for, and stand in the scene; otherwise the arm is refused.
+#[test]
+fn what_is_asked_for_beside_stands_in_the_scene() {
+    let folder = folder("also");
+    let own = [
+        "mounting.lever_arm_m=[0.3, -0.2, 0.1]",
+        "gyro.g_sensitivity_deg_h_per_g=[0, 30, 0, 0, 0, 0, 0, 0, -40]",
+        "accelerometer.scale_factor_asymmetry_ppm=[0, 0, 900]",
+    ];
+    record(&folder, "aerobatics", &own);
+    let refused = run(&folder, &identify(&[])).2;
+    assert!(
+        refused.contains("record.lever_arm_m = 0.3") && refused.contains("--also lever-arm finds it"),
+        "{refused}"
+    );
+    let also = ["--also", "lever-arm,g-sensitivity,asymmetry"];
+    let table =
+        done(&folder, &identify(&[&also[..], &["--prior", "tactical", "--page", "also.html"]].concat()));
+    assert!(
+        table.contains("  g-sensitivity xy ")
+            && table.contains("  lever arm x ")
+            && table.contains("  asymmetry z "),
+        "{table}"
+    );
+    let scene = read(folder.join("imu_sensor.toml"));
+    let near = |section: &str, key: &str, truth: &[f64], within: f64| {
+        let found = values(&scene, section, key);
+        let off = found.iter().zip(truth).map(|(found, truth)| (found - truth).abs()).fold(0.0, f64::max);
+        assert!(found.len() == truth.len() && off < within, "{key}: {found:?}");
+    };
+    near("mounting", "lever_arm_m", &[0.3, -0.2, 0.1], 0.01);
+    near("gyro", "g_sensitivity_deg_h_per_g", &[0.0, 30.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -40.0], 6.0);
+    near("accelerometer", "scale_factor_asymmetry_ppm", &[0.0, 0.0, 900.0], 300.0);
+    let json = done(&folder, &identify(&[&also[..], &["--json", "-o", "b.toml"]].concat()));
+    assert!(json.contains("\"lever arm y\": {\"value\": -0.2") && json.contains("\"asymmetry x\""), "{json}");
+    done(&folder, &["fly", "imu_sensor.toml", "--quiet", "--set", "flight.hours=0.02", "-o", "again"]);
+    for (more, named) in [
+        (&["--also", "temperature"][..], "lever-arm, g-sensitivity, asymmetry"),
+        (&["--also", "lever-arm", "--check"], "--also lever-arm: --check flies from the point of the path"),
+        (&["--also", "lever-arm", "--set", "mounting.lever_arm_m=[1,0,0]"], "expected one of both"),
+    ] {
+        let said = run(&folder, &identify(more)).2;
+        assert!(said.contains(named), "{said}");
+    }
+}
+
 const TRUTH: [&str; 5] = ["aerobatics", "--set", "flight.hours=0.08", "--set", "flight.rate_hz=50"];
 
 fn identify<'a>(more: &[&'a str]) -> Vec<&'a str> {

@@ -34,8 +34,9 @@ impl Steps {
     /// The steps of `record`. With `is_corrected`, scale factors and misalignments that were found are removed, and the bias at the end of
     /// the record of the fit:
     /// ```text
-    /// u = Rᵀ (I + E)⁻¹ (m - b)
+    /// u = Rᵀ (I + E)⁻¹ (m - b - G f - a/2 |m - b|)            of gyros; of accelerometers without G f
     /// ```
+    /// with the specific force f that was measured.
     pub fn new(record: &[RecordedIncrement], found: &Identified, is_corrected: bool) -> Result<Self, Error> {
         let from_record = found.rotation.transpose();
         let undo = |part: usize| {
@@ -49,6 +50,9 @@ impl Steps {
             })
         };
         let ((gyro, gyro_bias), (accel, accel_bias)) = (undo(0)?, undo(1)?);
+        let is_removed = f64::from(u8::from(is_corrected));
+        let asymmetries = [&found.gyro, &found.accel].map(|triad| triad.asymmetries() * is_removed);
+        let sensed = found.g_sensitivities() * is_removed;
         let mut steps = room(record.len())?;
         let mut last_s = None;
         for row in record {
@@ -62,9 +66,13 @@ impl Steps {
             // Stamps scatter and rows are lost: the mean signal holds for the time since the row before.
             let part = length_s / row.interval_s;
             let Increment { angle, velocity } = row.increment;
+            let (angle, velocity) =
+                (angle * part - gyro_bias * length_s, velocity * part - accel_bias * length_s);
+            let asymmetric =
+                |signal: Vector3<f64>, of: &Vector3<f64>| signal - 0.5 * of.component_mul(&signal.abs());
             let increment = Increment {
-                angle: gyro * (angle * part - gyro_bias * length_s),
-                velocity: accel * (velocity * part - accel_bias * length_s),
+                angle: gyro * (asymmetric(angle, &asymmetries[0]) - sensed * velocity),
+                velocity: accel * asymmetric(velocity, &asymmetries[1]),
             };
             steps.push(Step { begin_s, end_s, increment, is_behind_gap: part > HELD });
             last_s = Some(end_s);

@@ -115,9 +115,21 @@ pub fn identify_first_half<'a>(
     record: &'a [RecordedIncrement],
     request: &Request,
 ) -> Result<(Identified, &'a [RecordedIncrement]), Error> {
+    refuse_lever_arm(request.also.lever_arm)?;
     let whole = identify(truth.path(), record, request)?;
     let (first, other) = halves(truth, &whole, record)?;
     Ok((identify(truth.path(), first, request)?, other))
+}
+
+/// Flights begin at the point of the path, where sensors away from it are not.
+fn refuse_lever_arm(is_asked: bool) -> Result<(), Error> {
+    if !is_asked {
+        return Ok(());
+    }
+    let rule = Rule::Sentence(
+        "is no parameter of a check, whose flights begin at the point of the path: move the path",
+    );
+    Err(Error { value: None, ..Error::invalid("request.also.lever_arm", 1.0, rule) })
 }
 
 /// Rows of the record that the path has, in two halves. `found` was identified from the whole record: it has the clock.

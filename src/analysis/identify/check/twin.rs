@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 use rand_distr::Distribution;
 
 use super::super::parameter::Place;
-use super::super::{Identified, NoiseEstimate, RecordedIncrement, SensorNoise, boresight};
+use super::super::{Estimate, Identified, NoiseEstimate, OFF, RecordedIncrement, SensorNoise, boresight};
 use super::truth::Truth;
 use super::{CheckRequest, TruthSigma};
 use crate::base::error::Error;
@@ -43,7 +43,9 @@ impl Twin {
     pub fn draw(found: &Identified, request: &CheckRequest, run: u64, begin_s: f64) -> Self {
         let key = StreamKey { seed: request.seed, run };
         let mut stream = key.host_stream(PARAMETERS_STREAM);
-        let errors = found.root * super::super::solve::Vector::from_fn(|_, _| normal(&mut stream));
+        let is_fitted = |k: usize| found.root[0][(k, k)] > 2.0 * OFF;
+        let draw = |k: usize, _| if is_fitted(k) { normal(&mut stream) } else { 0.0 };
+        let errors = found.root[0] * super::super::solve::Vector::from_fn(draw);
         // The biases walk on from the end of the fit.
         let gap_s = (begin_s - found.last_path_time_s()).max(0.0);
         let mut triad = |part: usize| {
@@ -63,13 +65,19 @@ impl Twin {
                     + walked,
                 scale_factor: matrix.diagonal(),
                 misalignment: matrix - Matrix3::from_diagonal(&matrix.diagonal()),
+                scale_factor_asymmetry: Vector3::from_fn(|axis, _| {
+                    drawn(&estimate.asymmetry[axis], errors[Place::asymmetry(part, axis)])
+                }),
                 random_walk: of(0),
                 flicker: of(1),
                 rate_random_walk: of(2),
                 ..Default::default()
             }
         };
-        let (gyro, accel) = (triad(0), triad(1));
+        let (mut gyro, accel) = (triad(0), triad(1));
+        gyro.g_sensitivity = Matrix3::from_fn(|row, column| {
+            drawn(&found.g_sensitivity[row][column], errors[Place::g_sensitivity(row, column)])
+        });
         let turn = Vector3::from_fn(|axis, _| errors[Place::mounting(axis)]);
         Self {
             key,
@@ -134,6 +142,11 @@ impl Twin {
         };
         Correction { errors, ..Default::default() }
     }
+}
+
+/// A parameter with an error, if it is one of the fit.
+fn drawn(estimate: &Estimate, error: f64) -> f64 {
+    if estimate.prior > 0.0 { estimate.value + error } else { 0.0 }
 }
 
 /// Coefficients of white noise, flicker noise and random walk, drawn as the record leaves them open.
