@@ -245,7 +245,10 @@ typedef enum sins_finding_kind {
     SINS_FINDING_ATTACK_NEGATIVE = 22,
     /** Height in feet; figure: slope of pitch on the angle of the path [1]. */
     SINS_FINDING_HEIGHT_UNIT = 23,
-    /** Attitude, heading or roll that stays the same to the last bit while the track turns; figure: the largest turn of the track [rad]. */
+    /**
+     * Attitude, heading or roll that stays the same to the last bit while the track turns, or an attitude of 0, 0, 0 for a while; figure:
+     * the largest turn of the track, or how far the attitude is from 0 beside it [rad].
+     */
     SINS_FINDING_ATTITUDE_HELD = 24,
     /** Attitude that follows the turns late; figure: the delay, negative if it is early [s]. */
     SINS_FINDING_ATTITUDE_LATE = 25,

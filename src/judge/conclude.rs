@@ -2,7 +2,7 @@
 
 use super::attitude::{Attitudes, PitchFault};
 use super::blocks::Level as BlockLevel;
-use super::finding::{Clue, Finding, Kind, Level, MIRRORED, RADIANS};
+use super::finding::{Clue, Finding, Kind, Level, MIRRORED, RADIANS, ZERO};
 use super::held::Held;
 use super::velocity::Wrong;
 use super::{Judge, MAX_FINDINGS};
@@ -349,6 +349,11 @@ impl Judge {
                 found.add(Finding { at: wrap.fastest.at, count: wrap.count, clue: Clue::Known(name), ..own });
             }
         }
+        if self.zeros.count > 0 {
+            let own = Finding::new(Kind::AttitudeHeld, Level::Doubtful, self.zeros.farthest.value);
+            let (at, count) = (self.zeros.farthest.at, self.zeros.count);
+            found.add(Finding { at, count, clue: Clue::Known(ZERO), ..own });
+        }
         let enough = |level: &BlockLevel| level.attitudes.is_enough();
         let Some(attitudes) = self.blocks.level(self.block_s(), enough).map(|level| &level.attitudes) else {
             return;
@@ -365,7 +370,9 @@ impl Judge {
             let own = Finding::new(Kind::AttitudeTurned, Level::Doubtful, angle);
             found.add(Finding { clue: Clue::Known(name), ..own });
         }
-        find_held_or_late(attitudes, found);
+        if self.zeros.count == 0 {
+            find_held_or_late(attitudes, found);
+        }
         match attitudes.roll() {
             Some((slope, clue @ Clue::Known(_))) => {
                 found.add(Finding { clue, ..Finding::new(Kind::RollSign, Level::Unusable, slope) });

@@ -73,7 +73,8 @@ pub enum Kind {
     AttackNegative = 22,
     /// Height in feet; figure: slope of pitch on the angle of the path [1].
     HeightUnit = 23,
-    /// Attitude, heading or roll that stays the same to the last bit while the track turns; figure: the largest turn of the track [rad].
+    /// Attitude, heading or roll that stays the same to the last bit while the track turns, or an attitude of 0, 0, 0 for a while; figure:
+    /// the largest turn of the track, or how far the attitude is from 0 beside it [rad].
     AttitudeHeld = 24,
     /// Attitude that follows the turns late; figure: the delay, negative if it is early [s].
     AttitudeLate = 25,
@@ -93,6 +94,9 @@ pub enum Kind {
 
 /// What a path is whose attitude turns otherwise.
 pub(super) const MIRRORED: &str = "latitude and longitude are exchanged, or one has lost its sign";
+
+/// What an attitude is for a while.
+pub(super) const ZERO: &str = "attitude is 0, 0, 0";
 
 /// What an angle is that is too small by 57.3.
 pub(super) const RADIANS: &str = "radians taken for degrees";

@@ -26,6 +26,7 @@ mod stamps;
 mod straight;
 mod velocity;
 mod wrap;
+mod zeros;
 
 pub use finding::{At, Finding, Kind, Level};
 
@@ -45,6 +46,7 @@ use resolution::{AttitudeSteps, Resolution};
 use row::Row;
 use stamps::Stamps;
 use wrap::Wrap;
+use zeros::Zeros;
 
 /// Largest number of findings of a flight.
 pub const MAX_FINDINGS: usize = 32;
@@ -84,6 +86,7 @@ pub struct Judge {
     above_air: AboveAir,
     blocks: Blocks,
     wraps: [Wrap; 2],
+    zeros: Zeros,
     effect: InducedError,
     /// What was found in the rows of a smoothed path.
     of_rows: [Option<Finding>; MAX_FINDINGS],
@@ -116,6 +119,7 @@ impl Judge {
             above_air: AboveAir::new(),
             blocks: Blocks::new()?,
             wraps: [const { Wrap::new() }; 2],
+            zeros: Zeros::new(),
             effect: InducedError::new(),
             of_rows: [None; MAX_FINDINGS],
             given: 0,
@@ -231,6 +235,7 @@ impl Judge {
         for (wrap, step) in self.wraps.iter_mut().zip([now.heading - then.heading, now.roll - then.roll]) {
             wrap.add(step, row.interval_s, before);
         }
+        self.zeros.add(row.at, &now, &then);
     }
 
     /// Adds a turn of the attitude for its noise. Near the zenith the angles turn, and the attitude does not.

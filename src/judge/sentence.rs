@@ -2,7 +2,7 @@
 
 use core::fmt::{self, Write};
 
-use super::finding::{Clue, Finding, Kind, MIRRORED, RADIANS};
+use super::finding::{Clue, Finding, Kind, MIRRORED, RADIANS, ZERO};
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -166,6 +166,11 @@ impl fmt::Display for Finding {
                 "it flies level at {} km at {at} s, where no air carries it (is the height in millimetres?)",
                 Digits(self.figure / 1000.0)
             ),
+            (Kind::AttitudeHeld, Clue::Known(ZERO)) => {
+                let away = Digits(self.figure / crate::base::units::DEG);
+                write!(f, "{ZERO} from {at} s on, and {away} deg from that in the rows beside")?;
+                if self.count > 1 { write!(f, " ({} times)", self.count) } else { Ok(()) }
+            }
             (Kind::AttitudeHeld, clue) => {
                 let what = if let Clue::Known(name) = clue { name } else { "attitude" };
                 let turn = Digits((self.figure / crate::base::units::DEG).abs());

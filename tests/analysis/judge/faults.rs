@@ -404,6 +404,33 @@ fn headings_that_stay_the_same_are_found() {
     }
 }
 
+/// A source that has no attitude for three seconds, or for one row, and writes 0, 0, 0.
+#[test]
+fn attitudes_of_zero_for_a_while_are_found() {
+    for rate_hz in [50.0, 10.0, 1.0] {
+        let flight = flights::aeroplane_in_wind(rate_hz);
+        let away = |sample: &FlightSample| {
+            let Euler { roll, pitch, heading } = sample.euler;
+            [roll, pitch, heading].map(|angle| wrap_angle(angle).abs()).into_iter().fold(0.0, f64::max)
+        };
+        for length in [1, (3.0 * rate_hz) as usize] {
+            let is_far =
+                |k: &usize| [*k, k + length + 1].iter().all(|k| away(&flight.samples[*k]) > 11.0 * DEG);
+            let begin = 1 + (100..).find(is_far).unwrap();
+            let lost = each(&flight.samples, |k, sample| {
+                if (begin..begin + length).contains(&k) {
+                    sample.euler = Euler { roll: 0.0, pitch: 0.0, heading: 0.0 };
+                }
+            });
+            let found = judged(&lost);
+            let own = found.iter().find(|finding| finding.kind == Kind::AttitudeHeld);
+            let own = own.unwrap_or_else(|| panic!("{rate_hz} Hz, {length}: {found:?}"));
+            assert!(own.level == Level::Doubtful && own.at.row == begin as u64 && own.count == 1, "{own}");
+            assert!(own.to_string().starts_with("attitude is 0, 0, 0 from "), "{own}");
+        }
+    }
+}
+
 /// A column of rolls that is 0 for half of a minute, in which the vehicle turns farthest: the rest shows that it banks.
 #[test]
 fn rolls_that_are_lost_in_a_turn_are_found() {
