@@ -4,9 +4,9 @@ use sins::earth::Geodetic;
 use sins::ensemble::Ensemble;
 use sins::math::Euler;
 use sins::mechanization::Frame;
-use sins::sensors::{Alignment, InitialErrorParameters};
+use sins::sensors::{Alignment, Axis, Failure, InitialErrorParameters, SensorOutput};
 use sins::truth::{FlightSample, Pushed};
-use sins::{ErrorKind, ErrorSource, Options, Simulator, Step};
+use sins::{ErrorKind, ErrorSource, ImuFlags, Options, Simulator, Step};
 
 use super::{doomed, template};
 use crate::support::resting_sample;
@@ -72,6 +72,29 @@ fn before_the_first_samples_there_is_nothing_and_gaps_are_told() {
         ensemble.push_sample(&resting_sample(1.6 + 0.1 * f64::from(k))).unwrap();
     }
     assert_eq!(ensemble.push_sample(&resting_sample(3.3)).unwrap_err().kind, ErrorKind::QueueFull);
+}
+
+/// The flags are those of an interval, which a truth that was moved does not have.
+#[test]
+fn without_an_interval_no_flag_is_set() {
+    // Eight runs in lanes, and two alone.
+    let mut ensemble = Ensemble::new(&template(), 0, 10).unwrap();
+    let output = SensorOutput::Accelerometer(Axis::X);
+    let silent = ImuFlags { accel_invalid: true, ..ImuFlags::default() };
+    for from_s in [0.0, 7.0] {
+        ensemble.set_failure(output, Some(Failure::Dead)).unwrap();
+        ensemble.push_sample(&resting_sample(from_s)).unwrap();
+        ensemble.push_sample(&resting_sample(from_s + 0.1)).unwrap();
+        assert_eq!(ensemble.step(), Ok(Step::Done));
+        assert!(ensemble.imu_flags().all(|flags| flags == silent));
+        if from_s == 0.0 {
+            ensemble.reset();
+        } else {
+            ensemble.reposition(&resting_sample(9.0)).unwrap();
+        }
+        assert_eq!(ensemble.imu(3), Ok(None));
+        assert!(ensemble.imu_flags().eq([ImuFlags::default(); 10]));
+    }
 }
 
 /// The truth and all other runs continue as without the diverged run; a restart brings it back.

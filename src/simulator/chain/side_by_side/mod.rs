@@ -195,7 +195,10 @@ impl SideBySide {
 
     /// Flags of the signals of the last interval of each run; none is set before the first.
     pub fn imu_flags(&self) -> impl Iterator<Item = ImuFlags> {
-        let lanes = self.batches.iter().flat_map(|batch| &batch.state.reports).map(|report| report.flags);
+        // A truth that was moved has no interval, and the lanes keep what they had.
+        let has_interval = self.chain[0].as_ref().and_then(|chain| chain.imu()).is_some();
+        let of = move |report: &Report| if has_interval { report.flags } else { ImuFlags::default() };
+        let lanes = self.batches.iter().flat_map(|batch| &batch.state.reports).map(of);
         let singles = self.singles.iter().map(|single| {
             single.chain.as_ref().and_then(Chain::imu).map_or(ImuFlags::default(), |imu| imu.flags)
         });
