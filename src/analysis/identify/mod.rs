@@ -92,7 +92,7 @@ pub struct Also {
     pub lever_arm: bool,
     /// The g-sensitivity of the gyros, each to the forces along all axes.
     pub g_sensitivity: bool,
-    /// The scale factor asymmetry of each sensor, by the mean signal of a block.
+    /// The scale factor asymmetry of each sensor, by the mean signals of fifths of a block.
     pub asymmetry: bool,
 }
 

@@ -367,8 +367,7 @@ fn joint(
 #[inline(never)]
 pub(super) fn invert(information: &mut Matrix, prior: &Vector) -> Option<()> {
     let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
-    let inverse = scaled.cholesky()?.inverse();
-    information.zip_apply(&inverse, |place, value| *place = value);
+    information.copy_from(&scaled.cholesky()?.inverse());
     for (k, sigma) in prior.iter().enumerate() {
         information.row_mut(k).scale_mut(*sigma);
         information.column_mut(k).scale_mut(*sigma);
