@@ -10,8 +10,8 @@ const AWAY: f64 = 10.0 * DEG;
 
 #[derive(Debug, Clone)]
 pub(super) struct Zeros {
-    /// Where the attitude is 0 now, and how far it was from it before [rad].
-    now: Option<(At, f64)>,
+    /// Where the attitude is 0 now, and what it was before.
+    now: Option<(At, Euler)>,
     /// Stretches, and the one that is farthest from the rows beside it [rad].
     pub count: u64,
     pub farthest: Largest,
@@ -23,16 +23,20 @@ impl Zeros {
         Self { now: None, count: 0, farthest: NONE }
     }
 
-    /// Adds the attitude of a row behind another one.
+    /// Adds the attitude of a row behind another one. A vehicle without roll and pitch may turn through north: then the rows beside are
+    /// farther from each other than from 0.
     pub fn add(&mut self, at: At, euler: &Euler, before: &Euler) {
         match (away(before), away(euler)) {
-            (from, None) if from.is_some_and(|from| from > AWAY) => {
-                self.now = from.map(|from| (at, from));
-            }
+            (Some(from), None) => self.now = (from > AWAY).then_some((at, *before)),
             (None, Some(to)) => {
-                if let Some((at, from)) = self.now.take().filter(|_| to > AWAY) {
+                let Some((at, last)) = self.now.take() else { return };
+                let [roll, pitch, heading] =
+                    [euler.roll - last.roll, euler.pitch - last.pitch, euler.heading - last.heading];
+                let across = away(&Euler { roll, pitch, heading }).unwrap_or(0.0);
+                let farthest = away(&last).unwrap_or(0.0).max(to);
+                if to > AWAY && across < farthest {
                     self.count += 1;
-                    self.farthest.take(from.max(to), at);
+                    self.farthest.take(farthest, at);
                 }
             }
             _ => {}

@@ -290,7 +290,8 @@ def identify(
     along x, y and z of the record, if they are known, such as "y x -z". shift_s: time of the path less time of the record, if it is known to 10 s.
     cutoff_hz: the frequency above which the path lacks motion, as a smoothed one does [Hz]: path and record are then compared by their means
     over a period of it. also: what is found beside, of lever_arm (from the point of the path to the accelerometers), g_sensitivity (of the
-    gyros) and asymmetry (of the scale factors); it makes all others less certain. progress: a line on standard error shows the time that has passed. docs/identify.md says what a record can show.
+    gyros) and asymmetry (of the scale factors); it makes all others less certain. progress: a line on standard error shows the time that
+    has passed. docs/identify.md says what a record can show.
 
     Raises `sins.Error`, with the reason, for a record of another motion, in other units, too short, or with a sensor that is stuck.
     """

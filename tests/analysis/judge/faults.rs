@@ -429,6 +429,16 @@ fn attitudes_of_zero_for_a_while_are_found() {
             assert!(own.to_string().starts_with("attitude is 0, 0, 0 from "), "{own}");
         }
     }
+    // A car without roll and pitch, in whole degrees, turns through north by 12 degrees a row.
+    let flight = flights::aeroplane_in_wind(1.0);
+    let car = each(&flight.samples, |k, sample| {
+        sample.euler = Euler { roll: 0.0, pitch: 0.0, heading: (12 * k % 360) as f64 * DEG };
+    });
+    assert!(
+        judged(&car).iter().all(|finding| !finding.to_string().contains("0, 0, 0")),
+        "{:?}",
+        judged(&car)
+    );
 }
 
 /// A column of rolls that is 0 for half of a minute, in which the vehicle turns farthest: the rest shows that it banks.
