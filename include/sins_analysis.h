@@ -271,7 +271,7 @@ SINS_API sins_status SINS_CALL sins_error_budget(const sins_sim *configured, con
 /* The errors of real sensors. */
 
 /** Number of parameters. */
-#define SINS_IDENTIFIED_PARAMETERS 65
+#define SINS_IDENTIFIED_PARAMETERS 71
 
 /** Flags of a sins_identify_request. */
 typedef enum sins_identify_flags {
@@ -284,7 +284,9 @@ typedef enum sins_identify_flags {
     /** Also finds the g-sensitivity of the gyros, each to the forces along all axes. */
     SINS_IDENTIFY_G_SENSITIVITY = 8,
     /** Also finds the scale factor asymmetry of each sensor. */
-    SINS_IDENTIFY_ASYMMETRY = 16
+    SINS_IDENTIFY_ASYMMETRY = 16,
+    /** Also finds the change of each bias with the temperature that the samples of the path have. */
+    SINS_IDENTIFY_TEMPERATURE = 32
 } sins_identify_flags;
 
 /** Flags of a sins_identified and of a sins_identified_parameter. */
@@ -350,6 +352,8 @@ typedef struct sins_identified {
     double rotation[9];
     /** Attitude of the sensor block in the vehicle, as sins_mounting_params.boresight_rad [rad]. */
     double boresight_rad[3];
+    /** With SINS_IDENTIFY_TEMPERATURE: the temperature at which the biases hold, the mean of the record [deg C]; otherwise 0. */
+    double reference_temperature_c;
 } sins_identified;
 
 /** A parameter that a record may show. */
@@ -433,7 +437,7 @@ SINS_API sins_status SINS_CALL sins_identify_create(const sins_options *options,
 /**
  * Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
  * samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample, with
- * SINS_IDENTIFY_STATES 336 bytes; while the memory grows, up to twice that. Not for a real-time frame: it allocates.
+ * SINS_IDENTIFY_STATES 336 bytes, with a temperature 16 more; while the memory grows, up to twice that. Not for a real-time frame: it allocates.
  *
  * SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
  * caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.
@@ -470,8 +474,9 @@ SINS_API sins_status SINS_CALL sins_identify_solve(sins_identify *identify, sins
  * Reads a parameter that sins_identify_solve() found. index is from 0 to SINS_IDENTIFIED_PARAMETERS - 1: shift and drift of the clock;
  * mounting x, y, z; then of the gyros: bias x, y, z, scale factor x, y, z, misalignments xy, xz, yx, yz, zx, zy, white noise x, y, z,
  * flicker x, y, z, random walk x, y, z; then the same of the accelerometers. Misalignment xy is the error of sensor x by a
- * signal along y. Last, those that a request asks for by its flags: g-sensitivities xx, xy, ... zz and asymmetries x, y, z of the gyros,
- * lever arm x, y, z and asymmetries x, y, z of the accelerometers. Not for a real-time frame: it allocates.
+ * signal along y. Last, those that a request asks for by its flags: g-sensitivities xx, xy, ... zz, asymmetries x, y, z and changes of the
+ * biases with temperature x, y, z of the gyros; lever arm x, y, z, asymmetries and changes with temperature of the accelerometers. Not for
+ * a real-time frame: it allocates.
  *
  * SINS_ERROR_INVALID_ARGUMENT: no such parameter. SINS_ERROR_BAD_STATE: nothing was found yet. SINS_ERROR_OUT_OF_MEMORY: no memory.
  */
@@ -607,7 +612,7 @@ enum sins_analysis_sizeof {
     SINS_SIZEOF_BUDGET = 128,
     SINS_SIZEOF_IDENTIFY_REQUEST = 40,
     SINS_SIZEOF_RECORDED_INCREMENT = 72,
-    SINS_SIZEOF_IDENTIFIED = 128,
+    SINS_SIZEOF_IDENTIFIED = 136,
     SINS_SIZEOF_IDENTIFIED_PARAMETER = 304,
     SINS_SIZEOF_IDENTIFY_CHECK_REQUEST = 40,
     SINS_SIZEOF_IDENTIFIED_CHECK = 48,

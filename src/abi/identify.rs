@@ -50,6 +50,8 @@ pub const SINS_IDENTIFY_LEVER_ARM: sins_identify_flags = 4;
 pub const SINS_IDENTIFY_G_SENSITIVITY: sins_identify_flags = 8;
 /// Also finds the scale factor asymmetry of each sensor.
 pub const SINS_IDENTIFY_ASYMMETRY: sins_identify_flags = 16;
+/// Also finds the change of each bias with the temperature that the samples of the path have.
+pub const SINS_IDENTIFY_TEMPERATURE: sins_identify_flags = 32;
 
 /// What is known of sensors before their record. All zero is nothing: the widest prior, clock and axes are found.
 #[repr(C)]
@@ -116,12 +118,14 @@ pub struct sins_identified {
     pub rotation: [f64; 9],
     /// Attitude of the sensor block in the vehicle, as sins_mounting_params.boresight_rad [rad].
     pub boresight_rad: [f64; 3],
+    /// With SINS_IDENTIFY_TEMPERATURE: the temperature at which the biases hold, the mean of the record [deg C]; otherwise 0.
+    pub reference_temperature_c: f64,
 }
 
-interface_struct!(sins_identified, "identified", 128);
+interface_struct!(sins_identified, "identified", 136);
 
 /// Number of parameters.
-pub const SINS_IDENTIFIED_PARAMETERS: usize = 65;
+pub const SINS_IDENTIFIED_PARAMETERS: usize = 71;
 const _: () = assert!(SINS_IDENTIFIED_PARAMETERS == LISTED);
 
 /// A parameter that a record may show.
@@ -172,6 +176,7 @@ impl sins_identified {
             middle_s: found.middle_s,
             rotation: core::array::from_fn(|k| found.rotation[(k / 3, k % 3)]),
             boresight_rad: [boresight.roll, boresight.pitch, boresight.heading],
+            reference_temperature_c: found.reference_c.unwrap_or_default(),
         }
     }
 }
@@ -282,7 +287,7 @@ pub unsafe extern "C-unwind" fn sins_identify_create(
 
 /// Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
 /// samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample, with
-/// SINS_IDENTIFY_STATES 336 bytes; while the memory grows, up to twice that. Not for a real-time frame: it allocates.
+/// SINS_IDENTIFY_STATES 336 bytes, with a temperature 16 more; while the memory grows, up to twice that. Not for a real-time frame: it allocates.
 ///
 /// SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
 /// caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.
@@ -365,8 +370,9 @@ pub unsafe extern "C-unwind" fn sins_identify_solve(
 /// Reads a parameter that sins_identify_solve() found. index is from 0 to SINS_IDENTIFIED_PARAMETERS - 1: shift and drift of the clock;
 /// mounting x, y, z; then of the gyros: bias x, y, z, scale factor x, y, z, misalignments xy, xz, yx, yz, zx, zy, white noise x, y, z,
 /// flicker x, y, z, random walk x, y, z; then the same of the accelerometers. Misalignment xy is the error of sensor x by a
-/// signal along y. Last, those that a request asks for by its flags: g-sensitivities xx, xy, ... zz and asymmetries x, y, z of the gyros,
-/// lever arm x, y, z and asymmetries x, y, z of the accelerometers. Not for a real-time frame: it allocates.
+/// signal along y. Last, those that a request asks for by its flags: g-sensitivities xx, xy, ... zz, asymmetries x, y, z and changes of the
+/// biases with temperature x, y, z of the gyros; lever arm x, y, z, asymmetries and changes with temperature of the accelerometers. Not for
+/// a real-time frame: it allocates.
 ///
 /// SINS_ERROR_INVALID_ARGUMENT: no such parameter. SINS_ERROR_BAD_STATE: nothing was found yet. SINS_ERROR_OUT_OF_MEMORY: no memory.
 #[unsafe(no_mangle)]

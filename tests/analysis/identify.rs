@@ -51,6 +51,13 @@ struct Unit {
     lever_b: Vector3<f64>,
     behind_s: f64,
     run: u64,
+    /// Whether samples have a temperature: [`temperature_c`].
+    warms: bool,
+}
+
+/// A temperature that rises by 20 K in 400 s [°C].
+fn temperature_c(time_s: f64) -> f64 {
+    20.0 + 0.05 * time_s
 }
 
 impl Default for Unit {
@@ -63,6 +70,7 @@ impl Default for Unit {
             lever_b: Vector3::zeros(),
             behind_s: 0.0,
             run: 0,
+            warms: false,
         }
     }
 }
@@ -80,7 +88,10 @@ impl Unit {
             .unwrap();
         let mut record = Vec::new();
         for time_s in times(span_s) {
-            simulator.push_sample(&flight.sample_at(time_s).unwrap()).unwrap();
+            let warmth = self.warms.then(|| temperature_c(time_s));
+            simulator
+                .push_sample(&FlightSample { temperature_c: warmth, ..flight.sample_at(time_s).unwrap() })
+                .unwrap();
             if simulator.step().unwrap() == Step::Done {
                 let imu = simulator.imu().unwrap();
                 let time_s = imu.time_s - self.behind_s;
@@ -185,12 +196,12 @@ fn intervals_hold_clocks_are_found_and_axes_are_told() {
         let exchange = draws.of(&exchanges);
         let phi = Vector3::from_fn(|_, _| 0.5 * DEG * normal(&mut draws));
         let unit = Unit {
-            lever_b: Vector3::zeros(),
             gyro: drawn(&mut draws, gyro_bias, gyro_scale_factor, gyro_misalignment, white.0),
             accel: drawn(&mut draws, accel_bias, accel_scale_factor, accel_misalignment, white.1),
             rotation: rotation_matrix(&rotation_quaternion(&phi)) * exchange,
             behind_s: draws.within(-0.08, 0.08),
             run: trial,
+            ..Default::default()
         };
         let which = (trial / 3) as usize % flown.len();
         let record = unit.record(&flown[which].0, flown[which].1);
@@ -370,7 +381,6 @@ fn a_clock_of_its_own_is_found() {
 fn the_residual_is_the_noise() {
     let mut draws = Draws::new(9);
     let unit = Unit {
-        lever_b: Vector3::zeros(),
         gyro: TriadParameters {
             flicker: Vector3::zeros(),
             rate_random_walk: Vector3::zeros(),
@@ -384,6 +394,7 @@ fn the_residual_is_the_noise() {
         rotation: rotation_matrix(&rotation_quaternion(&Vector3::new(0.02, -0.01, 0.03))),
         behind_s: 0.017,
         run: 3,
+        ..Default::default()
     };
     let flight = flight("aerobatics");
     let (path, record) = (path(&flight, MINUTES), unit.record(&flight, MINUTES));

@@ -76,7 +76,7 @@ static void errors_come_back(void)
     for (k = 0; k < SINS_IDENTIFIED_PARAMETERS; k++) {
         read_parameter((size_t)k);
     }
-    CHECK(strcmp(parameter.name, "accelerometer asymmetry z") == 0 && strcmp(parameter.reason, "not asked for") == 0);
+    CHECK(strcmp(parameter.name, "accelerometer bias/temperature z") == 0 && strcmp(parameter.reason, "not asked for") == 0);
     CHECK(strcmp(read_parameter(46)->name, "accelerometer random walk z") == 0 && parameter.prior == 0.0);
 
     /* The scene has the same numbers, with six digits. */
@@ -139,7 +139,7 @@ static void wrong_use_is_answered(void)
     sins_flight_sample sample = {.struct_size = sizeof sample};
     char text[256] = "before";
     int k;
-    bad_request((sins_identify_request){.flags = 32}, "request.flags = 32: must be from 0 to 31");
+    bad_request((sins_identify_request){.flags = 64}, "request.flags = 64: must be from 0 to 63");
     bad_request((sins_identify_request){.prior = 99}, "request.prior = 99: ");
     bad_request((sins_identify_request){.axes = {1, 4, 3}}, "request.axes[1] = 4: must be 1, 2 or 3");
     bad_request((sins_identify_request){.axes = {1, 2, 0}}, "request.axes[2] = 0: must be 1, 2 or 3");

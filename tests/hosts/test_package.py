@@ -637,7 +637,7 @@ class Identification(unittest.TestCase):
 
     def test_errors_that_were_set_come_back(self):
         found = sins.identify("aerobatics", self.imu, **self.path)
-        self.assertEqual((len(found.parameters), found.rotation.shape), (c.IDENTIFIED_PARAMETERS - 18, (3, 3)))
+        self.assertEqual((len(found.parameters), found.rotation.shape), (c.IDENTIFIED_PARAMETERS - 24, (3, 3)))
         for name, truth in (("clock shift", 0), ("gyro bias y", 30 * c.DEG_PER_HOUR), ("accelerometer bias z", 2000 * c.MICRO_G)):
             one = found[name]
             self.assertTrue(one.is_seen and not one.reason, one)
@@ -666,12 +666,30 @@ class Identification(unittest.TestCase):
         with sins.Flight("aerobatics", options={"subsamples": 1}, mounting=mounting, **sensors, **self.path) as flight:
             imu = flight.fly()
         found = sins.identify("aerobatics", imu, also=["lever_arm", "g_sensitivity"], **self.path)
-        self.assertEqual(len(found.parameters), c.IDENTIFIED_PARAMETERS - 6)
+        self.assertEqual((len(found.parameters), found.reference_temperature_c), (c.IDENTIFIED_PARAMETERS - 12, None))
         for name, truth in (("accelerometer lever arm x", 0.3), ("accelerometer lever arm z", -0.2), ("gyro g-sensitivity xy", g_sensitivity)):
             self.assertTrue(found[name].is_seen and abs(found[name].value - truth) < 4 * found[name].sigma, found[name])
         self.assertRaisesRegex(sins.Error, "record.lever_arm_m|increments", sins.identify, "aerobatics", imu, **self.path)
         self.assertRaisesRegex(sins.Error, "request.also.lever_arm", found.check)
-        self.assertEqual(len(sins.identify("aerobatics", self.imu, also="asymmetry", **self.path).parameters), c.IDENTIFIED_PARAMETERS - 12)
+        self.assertEqual(len(sins.identify("aerobatics", self.imu, also="asymmetry", **self.path).parameters), c.IDENTIFIED_PARAMETERS - 18)
+
+    def test_a_change_with_temperature_comes_back(self):
+        times = np.arange(6001) / 20
+        columns = {"latitude_deg": 40, "longitude_deg": 10, "height_m": 0, "roll_deg": 3, "pitch_deg": 2, "heading_deg": 50}
+        warm = sins.trajectory(time_s=times, temperature_c=20 + times / 15, **columns)
+        gyro = {**NOISE["gyro"], "bias_temperature_deg_h_per_k": [0, 40, 0], "reference_temperature_c": 25}
+        with sins.Flight(warm, options={"subsamples": 1}, gyro=gyro, accel=NOISE["accel"]) as flight:
+            imu = flight.fly()
+        found = sins.identify(warm, imu, also="temperature")
+        self.assertEqual(len(found.parameters), c.IDENTIFIED_PARAMETERS - 18)
+        self.assertLess(abs(found.reference_temperature_c - 30), 0.1)
+        one = found["gyro bias/temperature y"]
+        self.assertTrue(one.is_seen and abs(one.value - 40 * c.DEG_PER_HOUR) < 4 * one.sigma, one)
+        self.assertLess(abs(found["gyro bias y"].value - 200 * c.DEG_PER_HOUR), 4 * found["gyro bias y"].sigma)
+        self.assertTrue(sins.fly(found.scene(), hours=0.01))
+        self.assertRaisesRegex(sins.Error, "gyros that drift by much, as with temperature", sins.identify, warm, imu)
+        steady = sins.trajectory(time_s=times, **columns)
+        self.assertRaisesRegex(sins.Error, "request.also.temperature: needs samples", sins.identify, steady, imu, also="temperature")
 
     def test_a_record_of_another_clock_and_other_axes(self):
         turned = self.as_dict(time_s=self.imu["time_s"] - 5.0, rate_rad_s=None)
@@ -760,7 +778,7 @@ class Identification(unittest.TestCase):
         for error, sentence, arguments in [
             (ValueError, "prior = 'best': must be strategic, ", {"prior": "best"}),
             (ValueError, "axes = 'x y': must be x, y and z once each", {"axes": "x y"}),
-            (ValueError, "also = 'temperature': must be lever_arm, g_sensitivity or asymmetry", {"also": ["temperature"]}),
+            (ValueError, "also = 'noise': must be lever_arm, g_sensitivity, asymmetry or temperature", {"also": ["noise"]}),
             (sins.Error, "request.axes: must be a signed exchange of axes without reflection", {"axes": "x y -z"}),
             (sins.Error, "request.shift_s = NaN", {"shift_s": float("nan")}),
             (sins.Error, "no such section: foo", {"foo": {}}),

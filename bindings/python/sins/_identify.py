@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 _GRADES = ("strategic", "navigation", "tactical", "industrial", "consumer")
 _AGREEMENTS = {c.AGREEMENT_AGREES: "agrees", c.AGREEMENT_TOO_GOOD: "too_good", c.AGREEMENT_TOO_BAD: "too_bad"}
-_ALSO = {"lever_arm": c.IDENTIFY_LEVER_ARM, "g_sensitivity": c.IDENTIFY_G_SENSITIVITY, "asymmetry": c.IDENTIFY_ASYMMETRY}
+_ALSO = {"lever_arm": c.IDENTIFY_LEVER_ARM, "g_sensitivity": c.IDENTIFY_G_SENSITIVITY, "asymmetry": c.IDENTIFY_ASYMMETRY,
+         "temperature": c.IDENTIFY_TEMPERATURE}
 # Names of a record, with the name of the same integrated over the interval.
 _SIGNALS = (("rate_rad_s", "angle_rad"), ("force_m_s2", "velocity_m_s"))
 
@@ -136,7 +137,7 @@ class _Given:
         c.identify_push_increments(handle, self.increments)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Identified:
     """What a record shows of its sensors: `identify` makes it."""
 
@@ -151,9 +152,11 @@ class Identified:
     """Whether the motion excludes all other axes."""
     used_s: float
     """Time of the record that was compared with the path [s]."""
+    reference_temperature_c: Optional[float]
+    """Temperature at which the biases hold, if their changes with it were asked for [deg C]."""
     text: str
     """The scene that `scene` returns."""
-    _given: _Given = field(repr=False, compare=False)
+    _given: _Given = field(repr=False)
     """Path and record, for `check`."""
 
     def __getitem__(self, name: str) -> Parameter:
@@ -290,8 +293,8 @@ def identify(
     along x, y and z of the record, if they are known, such as "y x -z". shift_s: time of the path less time of the record, if it is known to 10 s.
     cutoff_hz: the frequency above which the path lacks motion, as a smoothed one does [Hz]: path and record are then compared by their means
     over a period of it. also: what is found beside, of lever_arm (from the point of the path to the accelerometers), g_sensitivity (of the
-    gyros) and asymmetry (of the scale factors); it makes all others less certain. progress: a line on standard error shows the time that
-    has passed. docs/identify.md says what a record can show.
+    gyros), asymmetry (of the scale factors) and temperature (changes of the biases with the temperature_c of the path); it makes all others
+    less certain. progress: a line on standard error shows the time that has passed. docs/identify.md says what a record can show.
 
     Raises `sins.Error`, with the reason, for a record of another motion, in other units, too short, or with a sensor that is stuck.
     """
@@ -320,4 +323,5 @@ def identify(
     found = in_background(solve, progress=Progress("identifying") if progress else None)
     every = (_parameter(c.identify_get_parameter(handle, index)) for index in range(c.IDENTIFIED_PARAMETERS))
     return Identified(tuple(one for one in every if one.reason != "not asked for"), np.array(found.rotation).reshape(3, 3), np.array(found.boresight_rad),
-                      bool(found.flags & c.IDENTIFIED_SEEN), found.used_s, c.identify_get_scene(handle), given)
+                      bool(found.flags & c.IDENTIFIED_SEEN), found.used_s,
+                      found.reference_temperature_c if request.flags & c.IDENTIFY_TEMPERATURE else None, c.identify_get_scene(handle), given)

@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 
 use super::{
     SINS_IDENTIFY_ASYMMETRY, SINS_IDENTIFY_G_SENSITIVITY, SINS_IDENTIFY_LEVER_ARM, SINS_IDENTIFY_SHIFT,
-    SINS_IDENTIFY_STATES, sins_identify_flags, sins_identify_request,
+    SINS_IDENTIFY_STATES, SINS_IDENTIFY_TEMPERATURE, sins_identify_flags, sins_identify_request,
 };
 use crate::abi::choice::Choice;
 use crate::abi::failure::CallError;
@@ -16,7 +16,8 @@ const ALL_FLAGS: sins_identify_flags = SINS_IDENTIFY_SHIFT
     | SINS_IDENTIFY_STATES
     | SINS_IDENTIFY_LEVER_ARM
     | SINS_IDENTIFY_G_SENSITIVITY
-    | SINS_IDENTIFY_ASYMMETRY;
+    | SINS_IDENTIFY_ASYMMETRY
+    | SINS_IDENTIFY_TEMPERATURE;
 
 impl sins_identify_request {
     pub(super) fn to_request(self) -> Result<Request, CallError> {
@@ -32,6 +33,7 @@ impl sins_identify_request {
             lever_arm: has(SINS_IDENTIFY_LEVER_ARM),
             g_sensitivity: has(SINS_IDENTIFY_G_SENSITIVITY),
             asymmetry: has(SINS_IDENTIFY_ASYMMETRY),
+            temperature: has(SINS_IDENTIFY_TEMPERATURE),
         };
         Ok(Request { prior, axes: exchange(self.axes)?, shift_s, cutoff_hz, also })
     }

@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::Request;
 use super::blocks::Block;
 use super::path::{IdealPath, Six};
-use super::prior::Prior;
 use super::unfit::check_number;
 use crate::base::error::{Error, Rule};
 use crate::base::math::hypot;
@@ -178,9 +178,9 @@ pub(super) fn find(
     path: &IdealPath,
     blocks: &[Block],
     offset_s: f64,
-    given: Option<&Matrix3<f64>>,
-    prior: &Prior,
+    request: &Request,
 ) -> Result<Match, Error> {
+    let (given, prior) = (request.axes.as_ref(), &request.prior);
     let mut pairs: Vec<(Six, Six)> = room(blocks.len())?;
     let mean = |block: &Block| path.mean(block.start_s + offset_s, block.end_s + offset_s);
     pairs.extend(blocks.iter().filter_map(|block| Some((block.mean, mean(block)?.0))));
@@ -210,9 +210,16 @@ pub(super) fn find(
     // Rates decide where they show the motion: forces of two flights may resemble each other.
     let quality = if gyro.possible() > 0.5 { quality(&gyro, &turned) } else { quality(&accel, &forced) };
     let is_same = quality > OF_POSSIBLE;
-    let is_at_rest = gyro.recorded < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
-    if (is_moving && !is_same) || (!is_moving && !is_at_rest) {
+    let warmed = if request.also.temperature { warmed(path, blocks, offset_s) } else { 0.0 };
+    let is_at_rest = gyro.recorded - warmed < 4.0 * gyro.noise.max(1e-3 * gyro.ideal);
+    if is_moving && !is_same {
         return Err(other_motion(correlation));
+    }
+    if !is_moving && !is_at_rest {
+        let rule = Rule::Sentence(
+            "scatter of its rates [rad/s], where the path hardly turns: of another motion, or of gyros that drift by much, as with temperature",
+        );
+        return Err(Error::invalid("record.motion", (gyro.recorded / gyro.count).sqrt(), rule));
     }
     // Forces of another motion have other sizes: a unit is blamed only if the rates are certain.
     check_size(
@@ -248,6 +255,23 @@ pub(super) fn find(
     let identity = Matrix3::identity();
     let exchange = if possible(&identity) { identity } else { exchange };
     Ok(Match { axes: Axes { exchange, is_seen }, is_moving })
+}
+
+/// Sum of squares of the rates of the record that changes with temperature explain.
+fn warmed(path: &IdealPath, blocks: &[Block], offset_s: f64) -> f64 {
+    let both = || {
+        let of_path = blocks
+            .iter()
+            .filter(|block| path.mean(block.start_s + offset_s, block.end_s + offset_s).is_some());
+        of_path.filter_map(|block| Some((path.temperature_c(block.middle_s() + offset_s)?, block.mean)))
+    };
+    let count = both().count() as f64;
+    let mean = both().fold((0.0, Six::zeros()), |sum, one| (sum.0 + one.0 / count, sum.1 + one.1 / count));
+    let (squares, products) = both().fold((0.0, Six::zeros()), |sum, (temperature_c, signals)| {
+        let above_k = temperature_c - mean.0;
+        (sum.0 + above_k * above_k, sum.1 + (signals - mean.1) * above_k)
+    });
+    if squares > 0.0 { products.fixed_rows::<3>(0).norm_squared() / squares } else { 0.0 }
 }
 
 fn other_motion(correlation: f64) -> Error {

@@ -42,7 +42,7 @@ pub(super) fn check_beyond(
     let mut accelerometers = Again::<{ 3 * OWN + MORE }>::new();
     for axis in 0..3 {
         let more = |row: usize| {
-            let [.., x, y, z, _] = rows[3 + axis][row];
+            let [.., x, y, z, _, _] = rows[3 + axis][row];
             [x, y, z, rows[3 + axis][row][5]]
         };
         accelerometers.add(&whitened(fitted, &steps, 3 + axis, more)?, axis * OWN, 3 * OWN);
@@ -53,7 +53,7 @@ pub(super) fn check_beyond(
     let (mut weights, mut gyros_s, mut sensed, mut square) = (0.0, 0.0, 0.0, 0.0);
     for (axis, of_gyro) in rows.iter().enumerate().take(3) {
         let more = |row: usize| {
-            let [.., x, y, z, _] = of_gyro[row];
+            let [.., x, y, z, _, _] = of_gyro[row];
             [x, y, z, of_gyro[row][5]]
         };
         let mut gyro = Again::<{ OWN + MORE }>::new();
@@ -102,7 +102,7 @@ fn whitened(
     columns.extend(rows.iter().enumerate().map(|(place, row)| {
         let explained: f64 = solved.iter().zip(&row[1..]).map(|(c, column)| c * column).sum();
         let [a, b, c, d] = more(place);
-        [row[0] - explained, row[1], row[2], row[3], row[4], a, b, c, d, 0.0, 0.0]
+        [row[0] - explained, row[1], row[2], row[3], row[4], a, b, c, d, 0.0, 0.0, 0.0]
     }));
     let mut white: Vec<Row> = room(rows.len())?;
     filter.whiten(&columns, |_, own| white.push(core::array::from_fn(|k| own[k] * size)));

@@ -90,9 +90,7 @@ impl Feed {
 
     /// Flies the interval that waits, if it is complete.
     fn fly(&mut self, sample: &FlightSample) -> Result<(), Error> {
-        if self.keeps_states {
-            self.truth.push_sample(sample)?;
-        }
+        self.truth.push_sample(sample, self.keeps_states)?;
         let [simulator] = &mut *self.simulator;
         while simulator.step()? == Step::Done {
             self.truth.push_interval(simulator, self.keeps_states)?;

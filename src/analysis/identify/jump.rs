@@ -223,7 +223,7 @@ impl System {
             let mut row = SVector::<f64, WIDE>::zeros();
             row.fixed_rows_mut::<PARAMETERS>(0).copy_from(&of_parameters.component_mul(&self.prior));
             row[PARAMETERS] = jump * KNOWN_S * columns[CHANGE];
-            self.matrix += row * row.transpose() * weight;
+            self.matrix.ger(weight, &row, &row, 1.0);
             self.side += row * (columns[0] * weight);
             self.squares += columns[0] * columns[0] * weight;
         }

@@ -6,9 +6,9 @@ use super::text::not_seen;
 use super::{Estimate, NoiseEstimate};
 
 /// Number of quantities: shift and drift of the clock, three angles of the mounting; bias, scale factor, two misalignments and three
-/// coefficients of the noise of each of the six sensors; then those of [`super::Also`]: nine g-sensitivities, a lever arm and six
-/// asymmetries.
-pub const LISTED: usize = 5 + 6 * (4 + 3) + 9 + 3 + 6;
+/// coefficients of the noise of each of the six sensors; then those of [`super::Also`]: nine g-sensitivities, a lever arm, six
+/// asymmetries and six changes of biases with temperature.
+pub const LISTED: usize = 5 + 6 * (4 + 3) + 9 + 3 + 6 + 6;
 
 /// A quantity that a record may show.
 #[derive(Debug, Clone, PartialEq)]

@@ -24,7 +24,7 @@
 //! ```
 //!
 //! If they are asked for ([`Also`]), gyros have G f and accelerometers (α× + ω×ω×) r more, with the g-sensitivity G, the specific force f
-//! and the lever arm r, and each sensor a/2 |u| with the asymmetry a.
+//! and the lever arm r, and each sensor a/2 |u| with the asymmetry a, and k (T - T0) with the temperature T of the samples of the path.
 //!
 //! - **Signals.** u is the library's inverse navigation. Its integrals are interpolated by cubics, so the record may have another rate,
 //!   and the shift is not bound to a sample.
@@ -94,6 +94,8 @@ pub struct Also {
     pub g_sensitivity: bool,
     /// The scale factor asymmetry of each sensor, by the mean signals of fifths of a block.
     pub asymmetry: bool,
+    /// The change of each bias with the temperature that the samples of the path have.
+    pub temperature: bool,
 }
 
 /// What is known before the record, and what is wanted.
@@ -158,10 +160,12 @@ impl Request {
         }
         let Prior { lever_arm_m, g_sensitivity, gyro_asymmetry, accel_asymmetry, .. } = self.prior;
         let of = |is_asked: bool, sigma: f64| if is_asked { sigma } else { OFF };
+        let warming = [self.prior.gyro_bias_temperature, self.prior.accel_bias_temperature];
         for row in 0..3 {
             sigmas[Place::lever_arm(row)] = of(self.also.lever_arm, lever_arm_m);
             for (part, sigma) in [gyro_asymmetry, accel_asymmetry].into_iter().enumerate() {
                 sigmas[Place::asymmetry(part, row)] = of(self.also.asymmetry, sigma);
+                sigmas[Place::bias_temperature(part, row)] = of(self.also.temperature, warming[part]);
             }
             for column in 0..3 {
                 sigmas[Place::g_sensitivity(row, column)] = of(self.also.g_sensitivity, g_sensitivity);
@@ -198,6 +202,8 @@ pub struct Identified {
     pub lever_arm: [Estimate; 3],
     /// g-sensitivity of each gyro to the forces along x, y and z \[rad/s per m/s²\], if the request asks for it; otherwise 0.
     pub g_sensitivity: [[Estimate; 3]; 3],
+    /// Temperature at which the biases hold \[°C\], the mean of the record, if the request asks for their changes with it.
+    pub reference_c: Option<f64>,
     /// Mean g-sensitivity of the gyros \[rad/s per m/s²\] that they show and the fit has not: it is taken for misalignments.
     pub left_g_sensitivity: Option<f64>,
     /// Number of blocks of the fit, and their length on average \[s\].
@@ -237,6 +243,7 @@ impl Identified {
                 core::array::from_fn(|column| estimate(Place::element(part, row, column), 0.0))
             }),
             asymmetry: core::array::from_fn(|axis| estimate(Place::asymmetry(part, axis), 0.0)),
+            bias_temperature: core::array::from_fn(|axis| estimate(Place::bias_temperature(part, axis), 0.0)),
         };
         let blocks = rows.blocks.len();
         let turn = Vector3::from_fn(|axis, _| x[Place::mounting(axis)]);
@@ -259,6 +266,7 @@ impl Identified {
             g_sensitivity: core::array::from_fn(|row| {
                 core::array::from_fn(|column| estimate(Place::g_sensitivity(row, column), 0.0))
             }),
+            reference_c: about.reference_c,
             left_g_sensitivity: None,
             blocks,
             block_s: rows.blocks.iter().map(blocks::Block::length_s).sum::<f64>() / blocks as f64,
@@ -306,10 +314,12 @@ impl Identified {
         let (ideal, _) = path.mean(ends_s[0], ends_s[1])?;
         let turned = |signal: &Six, part: usize| self.rotation * signal.fixed_rows::<3>(3 * part);
         let (rate, force) = (turned(&ideal, 0), turned(&ideal, 1));
+        let above_k = rows::above_k(path, self.reference_c, ends_s);
         let rest = |part: usize, signal: &Vector3<f64>, measured: &Vector3<f64>| {
             let triad = [&self.gyro, &self.accel][part];
             let asymmetry = 0.5 * triad.asymmetries().component_mul(&signal.abs());
-            let error = triad.error_matrix() * signal + triad.biases() + asymmetry;
+            let bias = triad.biases() + triad.warming(above_k);
+            let error = triad.error_matrix() * signal + bias + asymmetry;
             measured - (signal + error) * row.interval_s
         };
         let Increment { angle, velocity } = &row.increment;

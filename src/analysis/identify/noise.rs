@@ -8,7 +8,7 @@ use crate::base::math::{exp, ln};
 use crate::base::memory::room;
 
 /// Coefficients of a sensor: bias, the three signals, the change by a shift of the clock, and by a drift of the clock; then those of a fit
-/// that is asked for more: three by forces (gyros) or by the lever arm (accelerometers), and the asymmetry.
+/// that is asked for more: three by forces (gyros) or by the lever arm (accelerometers), the asymmetry, and the temperature.
 pub(super) const COEFFICIENTS: usize = COLUMNS - 1;
 /// Number of those that each fit has.
 const ALWAYS: usize = 6;

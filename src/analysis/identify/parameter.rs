@@ -6,8 +6,9 @@ use super::noise::{COEFFICIENTS, Coefficients};
 use super::solve::{Matrix, Vector};
 
 /// Number of parameters: three angles of the mounting, shift and drift of the clock, three biases and nine elements of each triad; then
-/// those of [`super::Also`]: three of the lever arm, nine g-sensitivities, and three asymmetries of each triad.
-pub const PARAMETERS: usize = 47;
+/// those of [`super::Also`]: three of the lever arm, nine g-sensitivities, and of each triad three asymmetries and three changes of the biases
+/// with temperature.
+pub const PARAMETERS: usize = 53;
 
 /// Places of the parameters in a solution.
 pub(super) struct Place;
@@ -41,6 +42,10 @@ impl Place {
 
     pub const fn asymmetry(part: usize, axis: usize) -> usize {
         41 + 3 * part + axis
+    }
+
+    pub const fn bias_temperature(part: usize, axis: usize) -> usize {
+        47 + 3 * part + axis
     }
 
     /// The coefficients of a sensor in a solution.
@@ -125,9 +130,16 @@ pub struct TriadEstimate {
     pub elements: [[Estimate; 3]; 3],
     /// Scale factor of positive signals less that of negative ones \[1\], if the request asks for it; otherwise 0.
     pub asymmetry: [Estimate; 3],
+    /// Change of each bias with temperature \[(rad/s)/K\] or \[(m/s²)/K\], if the request asks for it; otherwise 0.
+    pub bias_temperature: [Estimate; 3],
 }
 
 impl TriadEstimate {
+    /// Changes of the biases by a temperature \[K\] above that at which they hold.
+    pub(super) fn warming(&self, above_k: f64) -> Vector3<f64> {
+        Vector3::from_fn(|axis, _| self.bias_temperature[axis].value * above_k)
+    }
+
     /// The biases.
     pub(super) fn biases(&self) -> Vector3<f64> {
         Vector3::from_fn(|axis, _| self.bias[axis].value)

@@ -5,7 +5,7 @@ use nalgebra::{SVector, Vector3};
 use super::blocks::LARGEST;
 use crate::analysis::recommend::{Refusal, fly_looking};
 use crate::base::error::{Error, ErrorKind, Rule, check_range};
-use crate::base::memory::{room, room_for_more};
+use crate::base::memory::{room, room_for_more, room_for_one_more};
 use crate::mechanization::Frame;
 use crate::signal::Increment;
 use crate::signal::mounting::lever_arm_velocity;
@@ -35,6 +35,8 @@ pub struct IdealPath {
     times_s: Vec<f64>,
     /// Integrals from the first time on.
     integrals: Vec<Six>,
+    /// Times [s] and temperatures [°C] of the samples that have one.
+    temperatures: Vec<(f64, f64)>,
 }
 
 /// Options with which perfect sensors fly a path: of `options`, Earth, gravity, body axes and the checks of samples count.
@@ -60,7 +62,15 @@ impl IdealPath {
         mut read: impl FnMut(&Simulator) -> Result<(), Error>,
     ) -> Result<Self, Refusal> {
         let mut simulator = Simulator::new(&of_path(options))?;
-        let mut path = Self::default();
+        let (mut path, mut temperatures) = (Self::default(), Vec::new());
+        let samples = samples.map(|sample| {
+            let sample = sample?;
+            if let Some(temperature_c) = sample.temperature_c {
+                room_for_one_more(&mut temperatures)?;
+                temperatures.push((sample.time_s, temperature_c));
+            }
+            Ok(sample)
+        });
         fly_looking(&mut simulator, samples, |_, simulator| {
             if let Some(imu) = simulator.imu() {
                 path.push(imu.time_s, imu.interval_s, &imu.ideal)?;
@@ -68,7 +78,7 @@ impl IdealPath {
             }
             Ok(ControlFlow::Continue(()))
         })?;
-        Ok(path)
+        Ok(Self { temperatures, ..path })
     }
 
     /// Adds the ideal increment of the interval of length `interval_s` [s] that ends at `time_s` [s]. The first interval begins the path;
@@ -104,6 +114,27 @@ impl IdealPath {
     pub(super) fn make_room(&mut self) -> Result<(), Error> {
         room_for_more(&mut self.times_s, 2)?;
         room_for_more(&mut self.integrals, 2)
+    }
+
+    /// Adds the temperature of a sample, if it has one; its time is later than that of the sample before.
+    pub(super) fn push_temperature(&mut self, sample: &FlightSample) -> Result<(), Error> {
+        if let Some(temperature_c) = sample.temperature_c {
+            room_for_one_more(&mut self.temperatures)?;
+            self.temperatures.push((sample.time_s, temperature_c));
+        }
+        Ok(())
+    }
+
+    /// Temperature at `time_s` [°C], linear between the samples that have one, and beyond them that of the nearest; `None`: none has.
+    pub(super) fn temperature_c(&self, time_s: f64) -> Option<f64> {
+        let behind = self.temperatures.partition_point(|(time, _)| *time < time_s);
+        let before = behind.checked_sub(1).and_then(|place| self.temperatures.get(place));
+        match (before, self.temperatures.get(behind)) {
+            (Some((from_s, from)), Some((to_s, to))) => {
+                Some(from + (to - from) * (time_s - from_s) / (to_s - from_s))
+            }
+            (one, other) => one.or(other).map(|(_, temperature_c)| *temperature_c),
+        }
     }
 
     /// The path of sensors that are away from its point by a lever arm `lever_b` [m], body axes.

@@ -29,7 +29,14 @@ pub struct Prior {
     pub gyro_asymmetry: f64,
     /// Scale factor asymmetry of an accelerometer [1], 1e-9 to 1.
     pub accel_asymmetry: f64,
+    /// Change of the bias of a gyro with temperature [(rad/s)/K], 1e-15 to 1.
+    pub gyro_bias_temperature: f64,
+    /// Change of the bias of an accelerometer with temperature [(m/s²)/K], 1e-12 to 10.
+    pub accel_bias_temperature: f64,
 }
+
+/// Change of the temperature by which a bias changes as much as from turn-on to turn-on [K].
+const BIAS_KELVINS: f64 = 20.0;
 
 /// The widest: uncalibrated micromechanics with a margin, as of an unknown record.
 impl Default for Prior {
@@ -46,6 +53,8 @@ impl Default for Prior {
             g_sensitivity: 0.1 * DEG / G,
             gyro_asymmetry: 0.03,
             accel_asymmetry: 0.03,
+            gyro_bias_temperature: 10.0 * DEG / BIAS_KELVINS,
+            accel_bias_temperature: 0.1 * G / BIAS_KELVINS,
         }
     }
 }
@@ -74,6 +83,8 @@ impl Prior {
             g_sensitivity: deg_h_per_g * DEG_PER_HOUR / G,
             gyro_asymmetry: gyro_ppm * PPM,
             accel_asymmetry: accel_ppm * PPM,
+            gyro_bias_temperature: gyro_bias / BIAS_KELVINS,
+            accel_bias_temperature: accel_bias / BIAS_KELVINS,
             ..Self::default()
         }
     }
@@ -90,6 +101,8 @@ impl Prior {
         check_range("prior.lever_arm_m", self.lever_arm_m, 1e-6, 1e3)?;
         check_range("prior.g_sensitivity", self.g_sensitivity, 1e-12, 1.0)?;
         check_range("prior.gyro_asymmetry", self.gyro_asymmetry, 1e-9, 1.0)?;
-        check_range("prior.accel_asymmetry", self.accel_asymmetry, 1e-9, 1.0)
+        check_range("prior.accel_asymmetry", self.accel_asymmetry, 1e-9, 1.0)?;
+        check_range("prior.gyro_bias_temperature", self.gyro_bias_temperature, 1e-15, 1.0)?;
+        check_range("prior.accel_bias_temperature", self.accel_bias_temperature, 1e-12, 10.0)
     }
 }

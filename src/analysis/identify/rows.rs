@@ -32,6 +32,8 @@ pub(super) struct About {
     pub mounting: Vector3<f64>,
     /// Lever arm that the path has [m], axes of the path.
     pub lever_b: Vector3<f64>,
+    /// Temperature at which the biases hold [°C], if their changes with it are asked for.
+    pub reference_c: Option<f64>,
     /// What the fit has beside.
     pub also: Also,
 }
@@ -75,6 +77,7 @@ impl Rows {
                 true => mean_sizes(path, about, ends),
                 false => Six::zeros(),
             };
+            let above_k = above_k(path, about.reference_c, ends);
             // Gyros sense forces; accelerometers away from the point of the path sense (α× + ω×ω×) r.
             let lever = change[0].cross_matrix() + ideal[0].cross_matrix() * ideal[0].cross_matrix();
             for (part, axis) in (0..6).map(|sensor| (sensor / 3, sensor % 3)) {
@@ -91,11 +94,18 @@ impl Rows {
                     beside[1],
                     beside[2],
                     0.5 * sizes[3 * part + axis],
+                    above_k,
                 ]);
             }
         }
         Ok(rows)
     }
+}
+
+/// Temperature above that of the biases \[K\], in the middle between two times of the path.
+pub(super) fn above_k(path: &IdealPath, reference_c: Option<f64>, [from_s, to_s]: [f64; 2]) -> f64 {
+    let temperature_c = reference_c.and_then(|_| path.temperature_c(0.5 * (from_s + to_s)));
+    temperature_c.zip(reference_c).map_or(0.0, |(temperature_c, reference_c)| temperature_c - reference_c)
 }
 
 /// Means of |u| between two times of the path: a signal may change its sign within a block.
@@ -129,5 +139,6 @@ pub(super) fn coefficients(part: usize, axis: usize) -> SMatrix<f64, COEFFICIENT
         matrix[(6 + column, place)] = 1.0;
     }
     matrix[(9, Place::asymmetry(part, axis))] = 1.0;
+    matrix[(10, Place::bias_temperature(part, axis))] = 1.0;
     matrix
 }

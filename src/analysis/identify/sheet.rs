@@ -47,6 +47,8 @@ pub struct Sheet {
     pub also: Vec<Line>,
     /// Coefficients of the noise.
     pub noises: Vec<NoiseLine>,
+    /// Temperature at which the biases hold [°C], if their changes with it are asked for.
+    pub reference_c: Option<f64>,
 }
 
 impl Sheet {
@@ -66,7 +68,14 @@ pub fn sheets(found: &Identified) -> [Sheet; 2] {
     let gyro = Sheet {
         section: "gyro",
         lines: lines(&found.gyro, ("bias_deg_h", unit("°/h", DEG_PER_HOUR), "rad/s"), false),
-        also: g_sensitivities(found).chain(asymmetries(&found.gyro, "turns about")).collect(),
+        also: g_sensitivities(found)
+            .chain(asymmetries(&found.gyro, "turns about"))
+            .chain(warmings(
+                &found.gyro,
+                ("bias_temperature_deg_h_per_k", unit("°/h/K", DEG_PER_HOUR), "(rad/s)/K"),
+            ))
+            .collect(),
+        reference_c: found.reference_c,
         noises: noises(
             &found.noise[..3],
             [
@@ -79,7 +88,14 @@ pub fn sheets(found: &Identified) -> [Sheet; 2] {
     let accel = Sheet {
         section: "accelerometer",
         lines: lines(&found.accel, ("bias_micro_g", MICRO_G, "m/s2"), true),
-        also: lever_arms(found).chain(asymmetries(&found.accel, "forces along")).collect(),
+        also: lever_arms(found)
+            .chain(asymmetries(&found.accel, "forces along"))
+            .chain(warmings(
+                &found.accel,
+                ("bias_temperature_micro_g_per_k", unit("µg/K", MICRO_G.si), "(m/s2)/K"),
+            ))
+            .collect(),
+        reference_c: found.reference_c,
         noises: noises(
             &found.noise[3..],
             [
@@ -151,6 +167,17 @@ fn asymmetries(triad: &TriadEstimate, motion: &'static str) -> impl Iterator<Ite
         si: "1",
         estimate,
         shown_by: format!("more {motion} {axis} in both directions"),
+    })
+}
+
+fn warmings(triad: &TriadEstimate, (key, unit, si): Key) -> impl Iterator<Item = Line> {
+    triad.bias_temperature.into_iter().zip(AXES).map(move |(estimate, axis)| Line {
+        key,
+        name: format!("bias/temperature {axis}"),
+        unit,
+        si,
+        estimate,
+        shown_by: "a larger change of the temperature".to_owned(),
     })
 }
 

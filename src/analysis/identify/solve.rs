@@ -50,6 +50,10 @@ pub(super) fn identify(
     request: &Request,
 ) -> Result<Identified, Error> {
     request.validate()?;
+    if request.also.temperature && path.temperature_c(0.0).is_none() {
+        let rule = Rule::Sentence("needs samples of the path with a temperature");
+        return Err(Error { value: None, ..Error::invalid("request.also.temperature", 1.0, rule) });
+    }
     let Blocks { blocks, interval_s } = Blocks::new(record, request.cutoff_hz)?;
     check_gaps(path, &blocks)?;
     let search = Search::new(path, &blocks, request.shift_s)?;
@@ -163,7 +167,7 @@ fn begin(
     request: &Request,
 ) -> Result<(About, Axes), Error> {
     let found = search.shift(path, blocks, request.shift_s)?;
-    let axes_at = |offset_s: f64| find(path, blocks, offset_s, request.axes.as_ref(), &request.prior);
+    let axes_at = |offset_s: f64| find(path, blocks, offset_s, request);
     let mut offset_s = found.best.offset_s;
     let at_best = axes_at(offset_s);
     let is_still = at_best.as_ref().is_ok_and(|matched| !matched.is_moving);
@@ -208,9 +212,20 @@ fn begin(
         common: Vector3::zeros(),
         mounting: Vector3::zeros(),
         lever_b: Vector3::zeros(),
+        reference_c: request.also.temperature.then(|| mean_temperature_c(path, blocks, offset_s)),
         also: request.also,
     };
     Ok((about, matched.axes))
+}
+
+/// Mean temperature of the blocks, by the samples of the path [°C].
+fn mean_temperature_c(path: &IdealPath, blocks: &[Block], offset_s: f64) -> f64 {
+    let temperature_c = |block: &Block| path.temperature_c(block.middle_s() + offset_s);
+    let of_block = |block: &Block| Some((block.length_s(), temperature_c(block)?));
+    let add =
+        |sum: (f64, f64), (length_s, temperature_c)| (sum.0 + length_s, sum.1 + length_s * temperature_c);
+    let (length_s, sum) = blocks.iter().filter_map(of_block).fold((0.0, 0.0), add);
+    sum / length_s
 }
 
 /// Rejects a shift at which path and record have little time in common: short motions resemble each other.
@@ -347,8 +362,9 @@ fn joint(
         let bias = prior[Place::bias(part, axis)];
         let beside = if part == 0 { Place::g_sensitivity(axis, 0) } else { Place::lever_arm(0) };
         let (beside, asymmetry) = (prior[beside], prior[Place::asymmetry(part, axis)]);
+        let warming = prior[Place::bias_temperature(part, axis)];
         let always = [bias, factor, factor, factor, CLOCK_S, DRIFT];
-        let all = always.into_iter().chain([beside, beside, beside, asymmetry]);
+        let all = always.into_iter().chain([beside, beside, beside, asymmetry, warming]);
         Coefficients::from_iterator(all) * WIDER
     });
     let evidences = evidences(&steps, &rows.of_sensor, (block_s, span_s), &scales, shapes)?;
@@ -367,7 +383,9 @@ fn joint(
 #[inline(never)]
 pub(super) fn invert(information: &mut Matrix, prior: &Vector) -> Option<()> {
     let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
-    information.copy_from(&scaled.cholesky()?.inverse());
+    let factor = scaled.cholesky()?;
+    information.fill_with_identity();
+    factor.solve_mut(information);
     for (k, sigma) in prior.iter().enumerate() {
         information.row_mut(k).scale_mut(*sigma);
         information.column_mut(k).scale_mut(*sigma);

@@ -3,7 +3,7 @@
 use nalgebra::Matrix3;
 
 use super::sheet::{AXES, Line, NoiseLine, Sheet, sheets};
-use super::{Estimate, Identified};
+use super::{Estimate, Identified, TriadEstimate};
 use crate::base::figures::{significant, two_digits};
 use crate::base::records::rounded;
 use crate::base::units::DEG;
@@ -64,7 +64,20 @@ pub fn axes(exchange: &Matrix3<f64>, is_seen: bool) -> String {
 
 /// The scene of what was found, at rest: a host sets another flight. `axes` are those of the vehicle.
 pub fn scene(found: &Identified, axes: BodyAxes) -> String {
-    format!("{MARK}, {FIGURES}\n\n[flight]\nbuiltin = \"rest\"\n{}", sections(found, axes))
+    format!(
+        "{MARK}, {FIGURES}\n\n[flight]\nbuiltin = \"rest\"\n{}{}",
+        temperature(found),
+        sections(found, axes)
+    )
+}
+
+/// The temperature of a flight without one of its own, if what was seen needs one.
+pub fn temperature(found: &Identified) -> String {
+    let is_seen = |triad: &TriadEstimate| triad.bias_temperature.iter().any(Estimate::is_seen);
+    match found.reference_c.filter(|_| is_seen(&found.gyro) || is_seen(&found.accel)) {
+        Some(reference_c) => format!("temperature_c = {}\n", rounded(reference_c, 6)),
+        None => String::new(),
+    }
 }
 
 /// The sections of a scene that has what was found; its vehicle has `axes`. What was not seen is a comment.
@@ -104,7 +117,7 @@ fn mounting(found: &Identified, of_vehicle: BodyAxes) -> String {
 
 /// Values of the parameters that were seen on at least one axis, the standard deviations that are left, and comments about the others.
 fn section(sheet: &Sheet) -> String {
-    let Sheet { section, noises, .. } = sheet;
+    let Sheet { section, noises, reference_c, .. } = sheet;
     let mut text = format!("\n[{section}]\n");
     let lines: Vec<&Line> = sheet.fitted().collect();
     for of_key in lines.chunk_by(|a, b| a.key == b.key) {
@@ -121,6 +134,11 @@ fn section(sheet: &Sheet) -> String {
             let unit = unit(key);
             let stem = key.strip_suffix(unit).unwrap_or(key);
             text += &format!("{key} = [{}]\n", values(&|line| line.estimate.value));
+            if let Some(reference_c) = reference_c
+                && key.starts_with("bias_temperature")
+            {
+                text += &format!("reference_temperature_c = {}\n", rounded(*reference_c, 6));
+            }
             if WITH_SIGMA.contains(&stem) {
                 text += &format!("{stem}_sigma{unit} = [{}]\n", values(&|line| line.estimate.sigma));
             }

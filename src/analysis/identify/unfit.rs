@@ -212,6 +212,8 @@ pub(super) fn check_priors(found: &Identified) -> Result<(), Error> {
         check("mounting.lever_arm", Some(axis), &found.lever_arm[axis])?;
         check("gyro.asymmetry", Some(axis), &found.gyro.asymmetry[axis])?;
         check("accelerometer.asymmetry", Some(axis), &found.accel.asymmetry[axis])?;
+        check("gyro.bias_temperature", Some(axis), &found.gyro.bias_temperature[axis])?;
+        check("accelerometer.bias_temperature", Some(axis), &found.accel.bias_temperature[axis])?;
         for column in 0..3 {
             check("gyro.g_sensitivity", Some(3 * axis + column), &found.g_sensitivity[axis][column])?;
         }

@@ -7,7 +7,7 @@ use crate::base::error::Error;
 use crate::base::memory::room;
 
 /// Data column and columns of the parameters of one axis.
-pub(super) const COLUMNS: usize = 11;
+pub(super) const COLUMNS: usize = 12;
 pub(super) type Columns = [f64; COLUMNS];
 
 const PROCESSES: usize = FLICKER_PROCESSES.len();

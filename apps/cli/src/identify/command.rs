@@ -70,7 +70,7 @@ pub struct Order {
     /// Record and path are compared by their means over a period of it.
     #[arg(long, value_name = "HZ")]
     pub cutoff: Option<f64>,
-    /// Parameters that are found beside the others: lever-arm, g-sensitivity, asymmetry
+    /// Parameters that are found beside the others: lever-arm, g-sensitivity, asymmetry, temperature
     ///
     /// A record whose motion does not tell them from the others tells all of them less well.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
@@ -109,6 +109,7 @@ pub enum AlsoName {
     LeverArm,
     GSensitivity,
     Asymmetry,
+    Temperature,
 }
 
 impl Order {
@@ -182,6 +183,7 @@ impl Order {
             lever_arm: has(AlsoName::LeverArm),
             g_sensitivity: has(AlsoName::GSensitivity),
             asymmetry: has(AlsoName::Asymmetry),
+            temperature: has(AlsoName::Temperature),
         };
         if also.lever_arm && self.check {
             return Err(Failure::new(

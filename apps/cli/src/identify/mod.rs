@@ -134,7 +134,12 @@ fn flown<T>(
         let place = refusal.sample.map_or_else(|| given.origin.clone(), |index| given.place(index));
         Failure::new(format!("{place}: {}", of_sample(&refusal.error)))
     };
-    fly(&mut (0..given.count).map(|index| given.sample(index))).map_err(refused)
+    let temperature_c = |index: usize| Some(given.scene.temperature?.at(given.time_s(index)));
+    let samples = (0..given.count).map(|index| {
+        let sample = given.sample(index)?;
+        Ok(FlightSample { temperature_c: sample.temperature_c.or_else(|| temperature_c(index)), ..sample })
+    });
+    fly(&mut { samples }).map_err(refused)
 }
 
 /// Identifies the sensors in the first half of the record, and checks them in the other one.
@@ -204,7 +209,8 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
         ("record.blocks" | "record.interval_s" | "record.drift", _) => format!("; it is {read_as}"),
         ("gyro.bias" | "gyro.scale_factor" | "gyro.misalignment", _)
         | ("accelerometer.bias" | "accelerometer.scale_factor" | "accelerometer.misalignment", _)
-        | ("gyro.g_sensitivity" | "gyro.asymmetry" | "accelerometer.asymmetry", _) => {
+        | ("gyro.g_sensitivity" | "gyro.asymmetry" | "accelerometer.asymmetry", _)
+        | ("gyro.bias_temperature" | "accelerometer.bias_temperature", _) => {
             let wider = if order.prior == "consumer" { "" } else { "; --prior consumer is wider" };
             wider.to_owned()
         }
@@ -221,6 +227,9 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
         }
         ("request.shift_s", _) => " (--shift)".to_owned(),
         ("request.axes", _) => " (--axes)".to_owned(),
+        ("request.also.temperature", _) => {
+            "; temperature_c is a column of the log of the path, or a key of [flight]".to_owned()
+        }
         (_, value) => value.and_then(unit).unwrap_or_default(),
     };
     let Some(value) = value.map(|value| rounded(value, 4)) else { return format!("{error}{meant}") };

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 use sins::analysis::identify::Identified;
-use sins::analysis::identify::text::{FIGURES, MARK, sections};
+use sins::analysis::identify::text::{FIGURES, MARK, sections, temperature};
 use sins::log::LogMapping;
-use sins::scene::{FlightSource, Scene};
+use sins::scene::{FlightSource, Scene, Temperature};
 
 use super::command::Order;
 use super::record::SensorRecord;
@@ -31,7 +31,7 @@ pub fn text(
         "{MARK} in {}{}, {FIGURES}\n\n{}{}{mapping}",
         if order.check { "the first half of the common rows of " } else { "" },
         printable(&order.record().display().to_string()),
-        flight(order, given),
+        flight(order, given) + &of_sensors(given, found),
         with_lever_arm(sections(found, given.scene.options.axes), given)
     );
     match Scene::parse(text.as_bytes()) {
@@ -61,6 +61,20 @@ fn with_lever_arm(sections: String, given: &Given) -> String {
 pub fn is_read_plainly(given: &Given) -> bool {
     let is_pipe = matches!(&given.scene.flight, FlightSource::Log(file) if file == "-");
     *given.scene.log == LogMapping::default() && !is_pipe
+}
+
+/// The keys of \[flight\] with the temperature of the sensors, if what was found needs one that the flight has not: that of the path's
+/// scene, or that at which the biases hold.
+fn of_sensors(given: &Given, found: &Identified) -> String {
+    let constant = temperature(found);
+    let has_own = || given.sample(0).is_ok_and(|sample| sample.temperature_c.is_some());
+    match given.scene.temperature {
+        _ if constant.is_empty() || (is_read_plainly(given) && has_own()) => String::new(),
+        Some(Temperature { at_start_c, change_c_s }) => {
+            format!("temperature_c = {at_start_c}\ntemperature_change_c_h = {}\n", change_c_s * 3600.0)
+        }
+        None => constant,
+    }
 }
 
 /// The flight of the path, if another scene can name it.

@@ -71,13 +71,38 @@ fn what_is_asked_for_beside_stands_in_the_scene() {
     assert!(json.contains("\"lever arm y\": {\"value\": -0.2") && json.contains("\"asymmetry x\""), "{json}");
     done(&folder, &["fly", "imu_sensor.toml", "--quiet", "--set", "flight.hours=0.02", "-o", "again"]);
     for (more, named) in [
-        (&["--also", "temperature"][..], "lever-arm, g-sensitivity, asymmetry"),
+        (&["--also", "nonlinearity"][..], "lever-arm, g-sensitivity, asymmetry, temperature"),
+        (
+            &["--also", "temperature"],
+            "temperature_c is a column of the log of the path, or a key of [flight]",
+        ),
         (&["--also", "lever-arm", "--check"], "--also lever-arm: --check flies from the point of the path"),
         (&["--also", "lever-arm", "--set", "mounting.lever_arm_m=[1,0,0]"], "expected one of both"),
     ] {
         let said = run(&folder, &identify(more)).2;
         assert!(said.contains(named), "{said}");
     }
+}
+
+/// The change of a bias with the temperature of the flight comes back, and its scene flies with this temperature.
+#[test]
+fn a_change_with_temperature_stands_in_the_scene() {
+    let folder = folder("temperature");
+    let warm = ["flight.temperature_c=20", "flight.temperature_change_c_h=250"];
+    let own = ["gyro.bias_temperature_deg_h_per_k=[0, 12, 0]", "gyro.reference_temperature_c=25"];
+    record(&folder, "aerobatics", &[warm, own].concat());
+    let more = ["--also", "temperature", "--set", warm[0], "--set", warm[1]];
+    let table = done(&folder, &identify(&more));
+    assert!(table.contains("  bias/temperature y "), "{table}");
+    let scene = read(folder.join("imu_sensor.toml"));
+    assert!(scene.contains("temperature_c = 20\ntemperature_change_c_h = 250\n"), "{scene}");
+    let change = values(&scene, "gyro", "bias_temperature_deg_h_per_k");
+    assert!((change[1] - 12.0).abs() < 2.0, "{change:?}");
+    let reference = scene.lines().find_map(|line| line.strip_prefix("reference_temperature_c = ")).unwrap();
+    assert!((reference.parse::<f64>().unwrap() - 30.0).abs() < 0.2, "{reference}");
+    done(&folder, &["fly", "imu_sensor.toml", "--quiet", "--set", "flight.hours=0.02", "-o", "again"]);
+    let json = done(&folder, &identify(&[&more[..], &["--json", "-o", "b.toml"]].concat()));
+    assert!(json.contains("\"bias/temperature y\": {\"value\": 0.00005"), "{json}");
 }
 
 const TRUTH: [&str; 5] = ["aerobatics", "--set", "flight.hours=0.08", "--set", "flight.rate_hz=50"];

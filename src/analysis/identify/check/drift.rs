@@ -2,6 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::super::path::IdealPath;
+use super::super::rows::above_k;
 use super::super::{Identified, RecordedIncrement};
 use super::starts::Starts;
 use super::truth::Truth;
@@ -36,8 +38,13 @@ impl Steps {
     /// ```text
     /// u = Rᵀ (I + E)⁻¹ (m - b - G f - a/2 |m - b|)            of gyros; of accelerometers without G f
     /// ```
-    /// with the specific force f that was measured.
-    pub fn new(record: &[RecordedIncrement], found: &Identified, is_corrected: bool) -> Result<Self, Error> {
+    /// with the specific force f that was measured, and b that of the temperature that `path` has.
+    pub fn new(
+        path: &IdealPath,
+        record: &[RecordedIncrement],
+        found: &Identified,
+        is_corrected: bool,
+    ) -> Result<Self, Error> {
         let from_record = found.rotation.transpose();
         let undo = |part: usize| {
             let (error, bias) = match is_corrected {
@@ -66,6 +73,9 @@ impl Steps {
             // Stamps scatter and rows are lost: the mean signal holds for the time since the row before.
             let part = length_s / row.interval_s;
             let Increment { angle, velocity } = row.increment;
+            let above_k = above_k(path, found.reference_c, [begin_s, end_s]) * is_removed;
+            let (gyro_bias, accel_bias) =
+                (gyro_bias + found.gyro.warming(above_k), accel_bias + found.accel.warming(above_k));
             let (angle, velocity) =
                 (angle * part - gyro_bias * length_s, velocity * part - accel_bias * length_s);
             let asymmetric =

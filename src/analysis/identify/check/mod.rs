@@ -154,7 +154,7 @@ pub fn check(
 ) -> Result<Check, Error> {
     request.validate()?;
     super::blocks::check(record)?;
-    let removed = Steps::new(record, found, true)?;
+    let removed = Steps::new(truth.path(), record, found, true)?;
     let within = removed.within(truth)?;
     let length_s = within.1 - within.0;
     let mut starts = Starts::new(&removed, within)?;
@@ -171,11 +171,11 @@ pub fn check(
         return Err(Error::invalid("check.length_s", length_s, rule));
     }
     let real = medians(truth, &removed, &starts, None)?;
-    let free = medians(truth, &Steps::new(record, found, false)?, &starts, None)?;
+    let free = medians(truth, &Steps::new(truth.path(), record, found, false)?, &starts, None)?;
     let mut twins = room(request.twins)?;
     for run in 0..request.twins as u64 {
         let twin = twin::Twin::draw(found, request, run, within.0);
-        let steps = Steps::new(&twin.record(truth, found, within)?, found, true)?;
+        let steps = Steps::new(truth.path(), &twin.record(truth, found, within)?, found, true)?;
         twins.push(medians(truth, &steps, &starts, Some(&twin))?);
     }
     let keeps =

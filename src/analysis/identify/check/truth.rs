@@ -62,10 +62,17 @@ impl Truth {
         Ok(())
     }
 
-    /// Adds a sample of the path.
-    pub(in super::super) fn push_sample(&mut self, sample: &FlightSample) -> Result<(), Error> {
-        room_for_one_more(&mut self.samples)?;
-        self.samples.push(*sample);
+    /// Adds a sample of the path: its temperature, and with `keeps_states` all of it.
+    pub(in super::super) fn push_sample(
+        &mut self,
+        sample: &FlightSample,
+        keeps_states: bool,
+    ) -> Result<(), Error> {
+        self.path.push_temperature(sample)?;
+        if keeps_states {
+            room_for_one_more(&mut self.samples)?;
+            self.samples.push(*sample);
+        }
         Ok(())
     }
 

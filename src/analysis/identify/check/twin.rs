@@ -15,6 +15,7 @@ use crate::errors::correction::Correction;
 use crate::sensors::{StandardNormal, StreamKey, TriadParameters, Xoshiro256PlusPlus};
 use crate::signal::mounting::MountingParameters;
 use crate::simulator::{Options, Simulator, Step};
+use crate::truth::FlightSample;
 
 /// Numbers of the streams of a twin.
 const PARAMETERS_STREAM: u64 = 0;
@@ -68,6 +69,10 @@ impl Twin {
                 scale_factor_asymmetry: Vector3::from_fn(|axis, _| {
                     drawn(&estimate.asymmetry[axis], errors[Place::asymmetry(part, axis)])
                 }),
+                bias_temperature: Vector3::from_fn(|axis, _| {
+                    drawn(&estimate.bias_temperature[axis], errors[Place::bias_temperature(part, axis)])
+                }),
+                reference_temperature_c: found.reference_c.unwrap_or_default(),
                 random_walk: of(0),
                 flicker: of(1),
                 rate_random_walk: of(2),
@@ -108,7 +113,8 @@ impl Twin {
         let end = (place(within.1) + MARGIN).min(truth.samples.len());
         let mut record = Vec::new();
         for sample in &truth.samples[first..end] {
-            simulator.push_sample(sample)?;
+            let temperature_c = found.reference_c.and_then(|_| truth.path().temperature_c(sample.time_s));
+            simulator.push_sample(&FlightSample { temperature_c, ..*sample })?;
             if simulator.step()? != Step::Done {
                 continue;
             }
