@@ -91,8 +91,8 @@ struct Recorder {
 }
 
 /// Evidence: the messages IMU of ArduPilot, the topic sensor_combined of PX4, the exports of MT Manager of Xsens and of the Control Center
-/// of VectorNav.
-const RECORDERS: [Recorder; 4] = [
+/// of VectorNav; sensor_msgs/Imu of ROS by `rostopic echo -p` and by bagpy, in the units of REP 103.
+const RECORDERS: [Recorder; 6] = [
     Recorder { time: ("TimeUS", 1e-6), gyro: ("Gyr", "rad_s"), accel: ("Acc", "m_s2") },
     Recorder {
         time: ("timestamp", 1e-6),
@@ -101,8 +101,18 @@ const RECORDERS: [Recorder; 4] = [
     },
     Recorder { time: ("SampleTimeFine", 1e-4), gyro: ("Gyr_", "rad_s"), accel: ("Acc_", "m_s2") },
     Recorder { time: ("TimeStartup", 1e-9), gyro: ("Gyro", "rad_s"), accel: ("Accel", "m_s2") },
+    Recorder {
+        time: ("field.header.stamp", 1e-9),
+        gyro: ("field.angular_velocity", "rad_s"),
+        accel: ("field.linear_acceleration", "m_s2"),
+    },
+    Recorder {
+        time: ("Time", 1.0),
+        gyro: ("angular_velocity", "rad_s"),
+        accel: ("linear_acceleration", "m_s2"),
+    },
 ];
-const AXES: [&str; 6] = ["X", "Y", "Z", "[0]", "[1]", "[2]"];
+const AXES: [&str; 9] = ["X", "Y", "Z", "[0]", "[1]", "[2]", ".x", ".y", ".z"];
 
 impl Recorder {
     /// The recorder of a table with these columns.
@@ -151,8 +161,8 @@ const STAMPS: [(&str, Stamp); 6] = [
 /// The column of time stamps: the wanted one with a unit of time, or the one whose name says it.
 pub fn stamps(names: &[String], wanted: &[Wanted]) -> Option<(String, Stamp)> {
     let own = |(unit, stamp): &(&str, Stamp)| {
-        let name = format!("time_{unit}");
-        names.contains(&name).then_some((name, *stamp))
+        let name = names.iter().find(|name| in_small(name) == format!("time_{unit}"))?;
+        Some((name.clone(), *stamp))
     };
     let chosen = wanted.iter().find_map(|wanted| Some((wanted.name.clone(), stamp(wanted)?)));
     let known = |recorder: &Recorder| (recorder.time.0.to_owned(), Stamp::Number(recorder.time.1));
@@ -181,7 +191,7 @@ const OF_NAMES: &[(&str, Stamp)] = STAMPS.split_at(4).0;
 
 /// Whether a column of this name has the times of the rows.
 fn is_time(name: &str) -> bool {
-    OF_NAMES.iter().any(|(unit, _)| name.strip_prefix("time_") == Some(unit))
+    OF_NAMES.iter().any(|(unit, _)| in_small(name).strip_prefix("time_") == Some(unit))
 }
 
 fn stamp(wanted: &Wanted) -> Option<Stamp> {
@@ -189,11 +199,18 @@ fn stamp(wanted: &Wanted) -> Option<Stamp> {
     STAMPS.into_iter().find(|(name, _)| *name == unit).map(|(_, stamp)| stamp)
 }
 
+/// A name that has capitals alone, in small letters.
+fn in_small(name: &str) -> String {
+    if name.chars().any(char::is_lowercase) { name.to_owned() } else { name.to_lowercase() }
+}
+
 /// Quantity with the unit in brackets or at the end of `name`, after an underscore, or that of its recorder.
 fn by_name(name: &str, recorder: Option<&Recorder>) -> Option<Quantity> {
-    let in_brackets = in_brackets(name).and_then(|(_, unit)| of_unit(&unit));
+    let small = in_small(name);
+    let in_brackets = in_brackets(&small).and_then(|(_, unit)| of_unit(&unit));
     let at_end = || {
-        let is_at_end = |unit: &str| name.strip_suffix(unit).is_some_and(|stem| stem.ends_with('_'));
+        let plain = plain_unit(&small);
+        let is_at_end = |unit: &str| plain.strip_suffix(unit).is_some_and(|stem| stem.ends_with('_'));
         quantities()
             .filter(|quantity| is_at_end(&plain_unit(quantity.unit)))
             .max_by_key(|quantity| quantity.unit.len())
@@ -327,6 +344,9 @@ mod tests {
             ("velocity_increment_x_m_s", "m_s"),
             ("a_mg", "mg"),
             ("a_g", "g"),
+            ("gx_dps", "deg_s"),
+            ("GYRO_X_DEG_S", "deg_s"),
+            ("ACC_Z_MG", "mg"),
         ] {
             assert_eq!(plain_unit(by_name(name, None).unwrap().unit), unit, "{name}");
         }
@@ -353,6 +373,11 @@ mod tests {
             ("timestamp,gyro_rad[0],accelerometer_m_s2[2]", ("timestamp", 1e-6)),
             ("PacketCounter,SampleTimeFine,Gyr_X,Acc_Z", ("SampleTimeFine", 1e-4)),
             ("TimeStartup,GyroX,AccelZ", ("TimeStartup", 1e-9)),
+            (
+                "%time,field.header.stamp,field.angular_velocity.x,field.linear_acceleration.z",
+                ("field.header.stamp", 1e-9),
+            ),
+            ("Time,header.seq,angular_velocity.x,linear_acceleration.z", ("Time", 1.0)),
         ] {
             let units: Vec<&str> = chosen(header, &[]).unwrap().iter().map(|column| column.1.unit).collect();
             assert_eq!(units, ["rad/s", "m/s2"], "{header}");
@@ -360,6 +385,8 @@ mod tests {
             let others = header.replace(time.0, "when");
             assert!(chosen(&others, &[]).unwrap_err().contains("--columns"), "{others}");
         }
+        let capitals = names("TIME_MS,GYRO_X_DEG_S");
+        assert_eq!(stamps(&capitals, &[]), Some(("TIME_MS".to_owned(), Stamp::Number(1e-3))));
         // Times of an unknown recorder have an unknown unit.
         assert_eq!(stamps(&names("timestamp,wx_deg_s"), &[]), None);
         let nanoseconds = "timestamp [ns]";

@@ -37,6 +37,11 @@ const MOST_STEPS: usize = 100_000;
 /// The same of stamps that do not scatter, if fewer rows are lost than are there.
 const MOST_LOST: f64 = 0.5;
 
+/// A tick of the clock of Windows [s], by which old hosts stamp their rows: a row may be at the second tick behind the one before without one
+/// being lost. Part by which the ticks of a record may be off it.
+const TICK_S: f64 = 1.0 / 64.0;
+const OF_TICK: f64 = 0.01;
+
 /// Rounds in which the interval is found: a round leaves that part of its error that the gaps are of the record.
 const ROUNDS: usize = 60;
 
@@ -99,19 +104,24 @@ impl Stamps {
 /// Reads stamps [s] in order, at least two.
 pub fn read(times_s: &[f64]) -> Stamps {
     let found = read_gaps(times_s);
-    if found.gaps == 0 || is_even(times_s, found.interval_s) {
+    if found.gaps == 0 {
         return found;
     }
-    // Late stamps look like gaps: with gaps the stamps leave a line by more than their steps scatter.
     let rows = || (0..times_s.len()).map(|row| row as f64).zip(times_s.iter().copied());
     let interval_s = slope(rows());
     let count = times_s.len() as f64;
     let begin_s = rows().map(|(row, time_s)| time_s - row * interval_s).sum::<f64>() / count;
-    let square = |off: f64| off * off;
-    let of_line = rows().map(|(row, time_s)| square(time_s - begin_s - row * interval_s)).sum::<f64>();
-    let of_steps = steps(times_s).map(|step| square(step - interval_s)).sum::<f64>();
+    let off_line = || rows().map(|(row, time_s)| time_s - begin_s - row * interval_s);
     let jitter = steps(times_s).map(|step| (step / interval_s - 1.0).abs()).fold(0.0, f64::max);
     let whole = Stamps { jitter, ..Stamps::counted(times_s.len(), interval_s) };
+    if is_even(times_s, found.interval_s) {
+        let is_of_ticks = (found.interval_s / TICK_S - 1.0).abs() < OF_TICK && found.gaps > FEW;
+        return if is_of_ticks && off_line().all(|off| off.abs() < TICK_S) { whole } else { found };
+    }
+    // Late stamps look like gaps: with gaps the stamps leave a line by more than their steps scatter.
+    let square = |off: f64| off * off;
+    let of_line = off_line().map(square).sum::<f64>();
+    let of_steps = steps(times_s).map(|step| square(step - interval_s)).sum::<f64>();
     let is_late = of_steps > square(LATE * interval_s) * count;
     let most = SCATTERS[usize::from(is_late)];
     if of_line < square(most) * of_steps { whole } else { found }
@@ -421,6 +431,27 @@ pub mod tests {
             let found = stamps(|_| false, |k| -((k % batch) as f64));
             assert_eq!(found.pieces.len(), 1, "{batch}: {found:?}");
             assert!((found.interval_s / 0.01 - 1.0).abs() < 1e-9, "{batch}: {}", found.interval_s);
+        }
+    }
+
+    /// Rows of 40, 50 and 60 Hz at the ticks of Windows, also as whole milliseconds, have none that is lost; rows of 64 Hz have.
+    #[test]
+    fn ticks_of_windows_are_no_gaps() {
+        for digits in [1e3, 1e6] {
+            let of = |rate_hz: f64, is_lost: fn(usize) -> bool| {
+                let at = |k: usize| ((k as f64 / rate_hz + 0.003) * 64.0).floor() / 64.0;
+                let times_s = (0..4000).filter(|k| !is_lost(*k)).map(|k| (at(k) * digits).floor() / digits);
+                read(&times_s.collect::<Vec<f64>>())
+            };
+            for rate_hz in [40.0, 50.0, 60.0] {
+                let found = of(rate_hz, |_| false);
+                assert!(
+                    (found.interval_s * rate_hz - 1.0).abs() < 1e-4 && found.gaps == 0,
+                    "{rate_hz}: {found:?}"
+                );
+            }
+            let lossy = of(64.0, |k| random(k) < 0.06);
+            assert!((lossy.interval_s * 64.0 - 1.0).abs() < 1e-4 && lossy.gaps > 150, "{lossy:?}");
         }
     }
 
