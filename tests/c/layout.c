@@ -486,7 +486,7 @@ AT(sins_recorded_increment, interval_s, 16);
 AT(sins_recorded_increment, angle_rad, 24);
 AT(sins_recorded_increment, velocity_m_s, 48);
 
-SIZE(sins_identified, SINS_SIZEOF_IDENTIFIED, 128);
+SIZE(sins_identified, SINS_SIZEOF_IDENTIFIED, 136);
 AT(sins_identified, struct_size, 0);
 AT(sins_identified, flags, 4);
 AT(sins_identified, increments, 8);
@@ -494,6 +494,7 @@ AT(sins_identified, used_s, 16);
 AT(sins_identified, middle_s, 24);
 AT(sins_identified, rotation, 32);
 AT(sins_identified, boresight_rad, 104);
+AT(sins_identified, reference_temperature_c, 128);
 
 SIZE(sins_identified_parameter, SINS_SIZEOF_IDENTIFIED_PARAMETER, 304);
 AT(sins_identified_parameter, struct_size, 0);

@@ -468,7 +468,8 @@ static int has_succeeded(const char *name)
 int main(void)
 {
     int k;
-    size_t most = 0, succeeded = 0, all = 0;
+    size_t most = 0, most_solve = 0, succeeded = 0, all = 0;
+    const char *name_most = "", *name_solve = "";
     scene_samples(samples);
     records[0].struct_size = sizeof records[0];
     for (k = 0; k < SCENE_COUNT; k++) {
@@ -483,15 +484,20 @@ int main(void)
 #ifndef __SANITIZE_ADDRESS__
             CHECK(deepest[k].bytes <= DEEPEST_SOLVE);
 #endif
-            continue;
+            if (deepest[k].bytes > most_solve) {
+                most_solve = deepest[k].bytes;
+                name_solve = deepest[k].name;
+            }
+        } else if (deepest[k].bytes > most) {
+            most = deepest[k].bytes;
+            name_most = deepest[k].name;
         }
-        most = deepest[k].bytes > most ? deepest[k].bytes : most;
     }
 #ifndef __SANITIZE_ADDRESS__
     CHECK(most <= DEEPEST);
 #endif
     SINS_FUNCTIONS(COUNT_SUCCESS)
     CHECK(succeeded == all);
-    printf("stack: at most %zu bytes a call\n", most);
+    printf("figure: %zu KB (`%s`); %zu KB (`%s`)\n", (most + 1023) / 1024, name_most, (most_solve + 1023) / 1024, name_solve);
     return 0;
 }

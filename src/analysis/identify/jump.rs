@@ -8,7 +8,7 @@ use super::noise::{COEFFICIENTS, Coefficients, Evidence, Information};
 use super::parameter::{PARAMETERS, Place};
 use super::path::IdealPath;
 use super::rows::{Rows, coefficients};
-use super::solve::{Fitted, Matrix, Vector, invert};
+use super::solve::{Fitted, InMemory, Matrix, Vector, in_memory, invert};
 use super::whiten::{COLUMNS, Columns, Shape, Steps};
 use crate::base::error::{Error, Rule};
 use crate::base::memory::{filled, room};
@@ -152,7 +152,7 @@ impl Part {
 /// with the variance of one over the denominator.
 struct Parts {
     of_block: Box<[Part]>,
-    inverse: Matrix,
+    inverse: InMemory<Matrix>,
     /// A⁻¹ Xᵀe.
     moved: Vector,
     /// Sum of d² over all blocks.
@@ -163,10 +163,12 @@ impl Parts {
     fn new(fitted: &Fitted, count: usize) -> Result<Self, Error> {
         let mut of_block = filled(count, Part::default())?;
         let prior = &fitted.prior;
-        let mut information = Matrix::from_diagonal(&prior.map(|sigma| 1.0 / (sigma * sigma)));
+        let mut inverse = in_memory(Matrix::zeros)?;
+        let [information] = &mut *inverse;
+        information.set_diagonal(&prior.map(|sigma| 1.0 / (sigma * sigma)));
         let mut side = Vector::zeros();
-        let by_sensor: [_; 6] =
-            core::array::from_fn(|sensor| coefficients(sensor / 3, sensor % 3).transpose());
+        let mut by_sensor = room(6)?;
+        by_sensor.extend((0..6).map(|sensor| coefficients(sensor / 3, sensor % 3).transpose()));
         let mut squares = [Information::zeros(); 6];
         whitened(
             fitted,
@@ -186,17 +188,19 @@ impl Parts {
             },
         )?;
         for (by_parameters, square) in by_sensor.iter().zip(&squares) {
-            information += by_parameters * square * by_parameters.transpose();
+            information.gemm(1.0, &(by_parameters * square), &by_parameters.transpose(), 1.0);
         }
         let unsolved = || Error::bad_state("the residual of the fit does not determine a jump of the clock");
-        invert(&mut information, prior).ok_or_else(unsolved)?;
+        invert(information, prior).ok_or_else(unsolved)?;
+        let mut moved = Vector::zeros();
+        moved.gemv(1.0, information, &side, 0.0);
         let square = of_block.iter().map(|part: &Part| part.square).sum();
-        Ok(Self { of_block, moved: information * side, inverse: information, square })
+        Ok(Self { of_block, moved, inverse, square })
     }
 
     /// Size and standard deviation of a jump with these sums behind it [s].
     fn jump(&self, behind: &Part) -> Option<(f64, f64)> {
-        let left = behind.square - behind.along.dot(&(self.inverse * behind.along));
+        let left = behind.square - behind.along.dot(&(self.inverse[0] * behind.along));
         let change_s = (behind.rest - behind.along.dot(&self.moved)) / left;
         (left > 1e-6 * self.square).then(|| (change_s, 1.0 / left.sqrt()))
     }

@@ -127,7 +127,7 @@ fn root(change: &Matrix, fitted: &Fitted) -> Result<InMemory<Matrix>, Error> {
 pub(super) type InMemory<T> = Box<[T; 1]>;
 
 #[inline(never)]
-fn in_memory<T>(make: fn() -> T) -> Result<InMemory<T>, Error> {
+pub(super) fn in_memory<T>(make: fn() -> T) -> Result<InMemory<T>, Error> {
     let mut place = room(1)?;
     place.push(make());
     only(place)
@@ -382,15 +382,19 @@ fn joint(
 /// Inverts an information, scaled by the priors: it has units of many sizes.
 #[inline(never)]
 pub(super) fn invert(information: &mut Matrix, prior: &Vector) -> Option<()> {
-    let scaled = Matrix::from_fn(|i, j| prior[i] * information[(i, j)] * prior[j]);
-    let factor = scaled.cholesky()?;
+    scale(information, prior);
+    let factor = information.cholesky()?;
     information.fill_with_identity();
     factor.solve_mut(information);
-    for (k, sigma) in prior.iter().enumerate() {
-        information.row_mut(k).scale_mut(*sigma);
-        information.column_mut(k).scale_mut(*sigma);
-    }
+    scale(information, prior);
     Some(())
+}
+
+fn scale(matrix: &mut Matrix, by: &Vector) {
+    for (k, factor) in by.iter().enumerate() {
+        matrix.row_mut(k).scale_mut(*factor);
+        matrix.column_mut(k).scale_mut(*factor);
+    }
 }
 
 #[cfg(test)]
