@@ -287,7 +287,8 @@ pub unsafe extern "C-unwind" fn sins_identify_create(
 
 /// Adds the next samples of the true path, at most 100000000 in all. samples[0].struct_size is the size in bytes of each element of
 /// samples; struct_size of the other samples may be 0. What perfect sensors measure along the path takes 56 bytes a sample, with
-/// SINS_IDENTIFY_STATES 336 bytes, with a temperature 16 more; while the memory grows, up to twice that. Not for a real-time frame: it allocates.
+/// SINS_IDENTIFY_STATES 336 bytes, with a temperature 16 more; while the memory grows, up to twice that. Not for a real-time frame: it
+/// allocates.
 ///
 /// SINS_GAP: all samples were taken, and at least one of them ended a gap. An error of sins_push_sample() ends the call at the sample that
 /// caused the error; sins_last_error(NULL, ...) names this sample. The samples before it were taken.

@@ -189,6 +189,7 @@ fn a_verdict_decides_where_the_interval_of_wilson_ends() {
 #[test]
 fn figures_are_those_of_two_passes_in_floating_point() {
     let mut draws = Draws::new(2);
+    let (count, limit, mut roundings) = (3000, 1e4, 0.0_f64);
     for (mean, sigma) in [
         ([0.0, 0.0, 0.0], [100.0, 0.1, 1e-4]),
         ([5000.0, -3.0, 1e-2], [800.0, 0.5, 1e-3]),
@@ -197,7 +198,7 @@ fn figures_are_those_of_two_passes_in_floating_point() {
         // The scatter is a few resolutions.
         ([2.3e7, 2.5e5, -3.9], [1e-6, 1e-8, 1e-13]),
     ] {
-        let all = samples(&mut draws, 3000, mean, sigma);
+        let all = samples(&mut draws, count, mean, sigma);
         let figures = of(&all).figures().unwrap();
         let (mean, covariance, rms) = two_passes(&all);
         for k in 0..9 {
@@ -209,17 +210,20 @@ fn figures_are_those_of_two_passes_in_floating_point() {
             for l in 0..9 {
                 let scale = (covariance[(k, k)] * covariance[(l, l)]).sqrt();
                 let error = (figures.covariance[(k, l)] - covariance[(k, l)]).abs();
-                assert!(error <= 1e4 * f64::EPSILON * scale, "covariance {k} {l}: {error} of {scale}");
+                assert!(error <= limit * f64::EPSILON * scale, "covariance {k} {l}: {error} of {scale}");
+                roundings = roundings.max(error / (f64::EPSILON * scale));
             }
         }
         let radial = (rms[0] * rms[0] + rms[1] * rms[1]).sqrt();
         assert!((figures.radial_rms_m - radial).abs() <= 3e3 * f64::EPSILON * radial);
     }
+    println!("figure: covariances to {roundings:.0} roundings of {count} terms (limit {limit:e})");
 }
 
 #[test]
 fn radii_are_those_of_the_sorted_runs_to_the_stated_error() {
     let mut draws = Draws::new(3);
+    let mut off = 0.0_f64;
     for (count, sigma) in [(1, 1.0), (2, 300.0), (19, 0.02), (20, 5.0), (21, 5.0), (1000, 1e5), (1001, 4e-3)]
     {
         let all = samples(&mut draws, count, [0.0; 3], [sigma, 0.0, 0.0]);
@@ -231,11 +235,15 @@ fn radii_are_those_of_the_sorted_runs_to_the_stated_error() {
         for (found, exact) in [(figures.cep50_m, exact(50)), (figures.r95_m, exact(95))] {
             let allowed = (RADIAL_ERROR * exact).max(0.5e-3) + 2.0 * RESOLUTIONS[0];
             assert!((found - exact).abs() <= allowed, "{count} runs: {found} for {exact}");
+            if RADIAL_ERROR * exact > 0.5e-3 {
+                off = off.max((found - exact).abs() / exact);
+            }
         }
         let largest = radii[count - 1];
         assert!((figures.largest_radial_m - largest).abs() <= 2.0 * RESOLUTIONS[0], "{largest}");
     }
     assert_eq!(RADIAL_ERROR, 0.005);
+    println!("figure: radii to {:.2} % (limit {:.1} %)", 100.0 * off, 100.0 * RADIAL_ERROR);
 }
 
 #[test]

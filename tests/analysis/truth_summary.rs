@@ -84,17 +84,22 @@ fn wrong_units_stand_out() {
     };
     let of_degrees = summary(&samples, degrees);
     assert!(of_degrees.rate_max.value > 20.0 * good.rate_max.value, "{of_degrees:#?}");
+    let of_rate = of_degrees.rate_max.value / good.rate_max.value;
     let nose = of_degrees.sideslip_max.value.abs().max(of_degrees.attack_max.value.abs());
     assert!(nose > 1.0, "{of_degrees:#?}");
+    let least_nose = nose;
 
     // Feet for metres: 3.28 times the height, and climbs that the velocity contradicts.
     let of_feet = summary(&samples, |sample| sample.place.height_m /= 0.3048);
-    assert!((of_feet.height_max.value / good.height_max.value - 1.0 / 0.3048).abs() < 1e-12);
+    let limit = 1e-12;
+    let of_heights = (of_feet.height_max.value / good.height_max.value - 1.0 / 0.3048).abs();
+    assert!(of_heights < limit);
 
     // Knots for m/s: 1.94 times the speed, and each interval's displacement is half of what it ought to be.
     let knot = 1852.0 / 3600.0;
     let of_knots = summary(&samples, |sample| sample.v_n = sample.v_n.map(|v_n| v_n / knot));
-    assert!((of_knots.speed_max.value / good.speed_max.value - 1.0 / knot).abs() < 1e-12);
+    let of_speeds = (of_knots.speed_max.value / good.speed_max.value - 1.0 / knot).abs();
+    assert!(of_speeds < limit);
     let lost = good.speed_max.value * (1.0 / knot - 1.0) / RATE_HZ;
     assert!((of_knots.inconsistency_max.value - lost).abs() < 0.02 * lost);
 
@@ -105,6 +110,10 @@ fn wrong_units_stand_out() {
     let of_exchanged = summary(&samples, exchanged);
     let nose = of_exchanged.sideslip_max.value.abs().max(of_exchanged.attack_max.value.abs());
     assert!(nose > 1.0 && of_exchanged.inconsistency_max.value > 1.0, "{of_exchanged:#?}");
+    let nose_deg = least_nose.min(nose).to_degrees();
+    let factor = of_heights.max(of_speeds).max(f64::EPSILON);
+    let factors = format!("heights and speeds by their factors to {factor:.0e} (limit {limit:e})");
+    println!("figure: rates {of_rate:.0} times as large, nose {nose_deg:.0}° off, {factors}");
 }
 
 /// The summary is an option, off by default. Repositions, moves and snapshots keep the figures, a reset clears them, and the

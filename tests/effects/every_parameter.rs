@@ -130,5 +130,5 @@ fn every_parameter_acts_wherever_sensors_are_simulated() {
         assert_eq!(sigma.iter().any(|sigma| *sigma > 0.0), has_covariance, "{who}: covariance {sigma:?}");
         count += 1;
     }
-    println!("{count} parameters");
+    println!("figure: {count} parameters");
 }

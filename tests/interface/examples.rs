@@ -99,19 +99,24 @@ fn a_filter_of_the_host_closes_the_loop() {
     let share = error_m / predicted_m;
     assert!((0.61..1.36).contains(&share) && predicted_m > 8.0, "{share}");
     let scatter = 4.15 * f64::sqrt(2.0 / (15.0 * 40.0));
-    assert!(least > 1.0 - scatter && most < 1.0 + scatter, "{least} {most}");
+    let (low, high) = (1.0 - scatter, 1.0 + scatter);
+    assert!(least > low && most < high, "{least} {most}");
+    println!("figure: {ratio:.2}; {least:.2} to {most:.2} (limits {low:.2} and {high:.2})");
 }
 
 /// The aircraft of the front end's cockpit, which needs no Windows: ideal sensors return to its truth.
 #[test]
 fn the_aircraft_of_the_cockpit_flies_and_lands() {
-    print!("{}", prints_alike("aircraft", &["tests/emulator/aircraft.cpp"], &["c++17", "c++20"], &[]));
+    let text = prints_alike("aircraft", &["tests/emulator/aircraft.cpp"], &["c++17", "c++20"], &[]);
+    println!("figure: {}", text.trim_end().replace("aircraft: ", "").replace("e-0", "e-"));
 }
 
 /// The packets of the front end's live flight, which need no Windows.
 #[test]
 fn the_packets_of_the_front_end_are_flown_or_named() {
-    print!("{}", prints_alike("live", &["tests/emulator/live.cpp"], &["c++17", "c++20"], &[]));
+    let text = prints_alike("live", &["tests/emulator/live.cpp"], &["c++17", "c++20"], &[]);
+    let found: Vec<&str> = text.lines().map(|line| line.trim_start_matches("live: ")).collect();
+    println!("figure: {}", found.join("; ").replace("e-0", "e-"));
 }
 
 #[test]
@@ -208,6 +213,7 @@ fn the_examples_of_the_functions_print_what_they_say() {
         .filter_map(|line| Some(line.split_once("  // ")?.1))
         .collect();
     assert_eq!(text.lines().collect::<Vec<_>>(), expected);
+    println!("figure: {} programs and parts", 1 + examples.len());
 }
 
 #[test]

@@ -157,7 +157,7 @@ fn every_value_that_is_read_can_be_set() {
             }
         }
     }
-    println!("{count} values");
+    println!("figure: {count} values");
     assert!(count > 1500, "{count}");
 }
 
@@ -332,7 +332,7 @@ fn the_limits_of_the_keys_are_those_of_the_scene() {
             }
         }
     }
-    println!("at limits {}, beyond {}, keys of numbers without limits {}", counts[0], counts[1], counts[2]);
+    println!("figure: {} limits accepted, {} values beyond rejected with that limit", counts[0], counts[1]);
     assert!(counts[0] > 150 && counts[1] > 150 && counts[2] < 6, "{counts:?}");
 }
 

@@ -155,7 +155,8 @@ fn effects(signals: &[ImuInterval]) -> Vec<Vector3<f64>> {
     signals.iter().map(|imu| (imu.measured.velocity - imu.ideal.velocity) / imu.interval_s).collect()
 }
 
-fn check_scene(name: &str, rate_hz: f64, sample: &dyn Fn(i32) -> FlightSample) {
+/// The result is the position error of perfect sensors at the end [m].
+fn check_scene(name: &str, rate_hz: f64, sample: &dyn Fn(i32) -> FlightSample) -> f64 {
     let options = Options { scheme: Scheme::Polynomial, subsamples: 4, ..options_at(rate_hz) };
     let mounted = || {
         let mut simulator = Simulator::new(&options).unwrap();
@@ -204,14 +205,17 @@ fn check_scene(name: &str, rate_hz: f64, sample: &dyn Fn(i32) -> FlightSample) {
         changes,
         1.0 / rate_hz,
     );
+    errors.position_n.norm()
 }
 
 #[test]
 fn a_start_in_motion_makes_no_spike() {
+    let mut off_m = check_scene("light aircraft", 100.0, &light_aircraft(100.0));
     for scene in [TURNTABLE, CONING] {
-        check_scene(scene.name, scene.rate_hz, &|k| scene.sample(k, false));
+        off_m = off_m.max(check_scene(scene.name, scene.rate_hz, &|k| scene.sample(k, false)));
     }
-    check_scene("light aircraft", 100.0, &light_aircraft(100.0));
+    let decays = "the missing term decays from interval to interval";
+    println!("figure: {decays}; position of perfect sensors {off_m:.1e} m (limit 8e-9 m)");
 }
 
 /// With the host's rates the mean of ω'×r is known from the first interval on, to rounding. The mean of ω×(ω×r) comes from the

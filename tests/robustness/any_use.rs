@@ -60,7 +60,7 @@ fn no_call_is_ok_beyond_the_limits_and_a_refused_one_changes_nothing() {
             }
         }
     }
-    println!("{HOSTS} hosts: {good} calls good, {refused} refused");
+    println!("figure: {HOSTS} hosts of {CALLS} calls, {refused} rejected");
     assert!(good > refused && refused > 0);
 }
 

@@ -47,6 +47,12 @@ fn rates_from_1_to_1000_hz() {
             "{slow_hz} {slow_m:e} {fast_hz} {fast_m:e}"
         );
     }
+    let figures = [0, 3, 6, 9].map(|k| {
+        let (rate_hz, error_m) = errors[k];
+        let size = if error_m < 0.01 { format!("{error_m:.1e}") } else { format!("{error_m:.1}") };
+        format!("{size} m at {rate_hz} Hz")
+    });
+    println!("figure: {}", figures.join(", "));
 }
 
 /// Half an interval of jitter at 100 Hz, so that samples come 0.2 to 20 ms apart, and each tenth lost: the physics is the same,
@@ -61,7 +67,7 @@ fn jitter_of_half_an_interval_and_losses() {
         flown(samples.collect::<Vec<_>>().into_iter())
     };
     let steady = flown((0..15_000_u32).map(|k| at(&flight, f64::from(k) / 50.0)));
-    for lost in [false, true] {
+    let worst_m = [false, true].map(|lost| {
         let worst = jittered(lost);
         println!(
             "jitter of ±50 %, one of ten lost {lost}: {:.1e} m, {:.1e} m/s; 50 Hz steadily {:.1e} m",
@@ -74,7 +80,12 @@ fn jitter_of_half_an_interval_and_losses() {
         assert!(worst.position_m < share * steady.position_m + 1e-7, "{worst:?}");
         // The same bound, with the rounding over the 300 s.
         assert!(worst.velocity_m_s < share * steady.velocity_m_s + 1e-7 / 300.0, "{worst:?}");
-    }
+        worst.position_m
+    });
+    println!(
+        "figure: jitter {:.1e} m; lost samples {:.1e} m; regular samples at 50 Hz {:.1e} m",
+        worst_m[0], worst_m[1], steady.position_m
+    );
 }
 
 /// Bad samples, each with its name and the kind of its refusal.
@@ -141,13 +152,13 @@ fn bad_samples_are_refused_and_leave_no_trace() {
         simulator.set_accel(&accel).unwrap();
         simulator
     };
+    let (mut refused, mut passed) = (0, 0);
     for (label, options, velocity) in [
         ("own stamps", own_stamps(), true),
         ("stated period", options_at(100.0), true),
         ("no velocity", own_stamps(), false),
     ] {
         let (mut plagued, mut quiet) = (noisy(&options), noisy(&options));
-        let mut refused = 0;
         for k in 0..8 {
             let mut good = at(&flight, f64::from(k) / 100.0);
             for (what, mut bad, kind) in bad_samples(&good) {
@@ -177,21 +188,23 @@ fn bad_samples_are_refused_and_leave_no_trace() {
             if !velocity {
                 good.v_n = None;
             }
+            passed += 1;
             for simulator in [&mut plagued, &mut quiet] {
                 simulator.push_sample(&good).unwrap();
                 simulator.step().unwrap();
             }
         }
         assert_eq!(format!("{plagued:?}"), format!("{quiet:?}"), "{label}");
-        println!("{label}: {refused} bad samples refused in 8 good ones, the run is the same to the bit");
     }
+    println!("figure: {refused} bad samples between {passed} good ones");
 }
 
 /// A clock jump of up to the longest gap is a long interval. With a stated period it is noise, lost samples, or refused.
 #[test]
 fn jumps_of_the_clock_from_1_ms_to_an_hour() {
-    let after_jump = |options: &Options, jump_s: f64| -> Result<(), Error> {
+    let after_jump = |options: &Options, jump_s: f64| -> Result<f64, Error> {
         let mut simulator = Simulator::new(options).unwrap();
+        let mut worst_m = 0.0_f64;
         for k in 0..100 {
             let time_s = f64::from(k) / 100.0 + if k >= 50 { jump_s } else { 0.0 };
             simulator.push_sample(&resting_sample(time_s))?;
@@ -200,21 +213,24 @@ fn jumps_of_the_clock_from_1_ms_to_an_hour() {
             // The error of one interval, in which the force turns with the Earth: g W² T⁴/6.
             let own_m = 9.8 * (7.3e-5_f64).powi(2) * jump_s.powi(4) / 6.0;
             assert!(errors.position_n.norm() < 1e-8 + own_m, "{jump_s} {errors:?}");
+            worst_m = worst_m.max(errors.position_n.norm());
         }
-        Ok(())
+        Ok(worst_m)
     };
+    let mut worst_m = 0.0_f64;
     for jump_s in [0.001, 0.01, 0.1, 1.0, 2.49] {
-        after_jump(&own_stamps(), jump_s).unwrap();
+        worst_m = worst_m.max(after_jump(&own_stamps(), jump_s).unwrap());
     }
     for jump_s in [2.5, 10.0, 3600.0] {
         assert_eq!(after_jump(&own_stamps(), jump_s).unwrap_err().kind, ErrorKind::Discontinuity, "{jump_s}");
     }
     // With a stated period, less than 0.4 of it is noise of the host, whole periods are lost samples, anything else is refused.
     for jump_s in [0.001, 0.0039, 0.01, 1.0, 2.48] {
-        after_jump(&options_at(100.0), jump_s).unwrap();
+        worst_m = worst_m.max(after_jump(&options_at(100.0), jump_s).unwrap());
     }
     assert_eq!(after_jump(&options_at(100.0), 0.005).unwrap_err().kind, ErrorKind::TimeOrder);
     assert_eq!(after_jump(&options_at(100.0), 3600.0).unwrap_err().kind, ErrorKind::Discontinuity);
+    println!("figure: {worst_m:.1e} m");
 }
 
 /// Samples lost in a weave of 4 g, its bank at up to 170 °/s, at 100 Hz: attitude and velocity are right after the gap, and the
@@ -241,7 +257,9 @@ fn a_gap_in_a_weave_leaves_what_its_interpolation_missed() {
         [after, worst]
     };
     let [_, without] = errors(0..0);
-    for gap in [20, 50, 100, 200, 249] {
+    let mut growth = 0.0_f64;
+    let largest = [20, 50, 100, 200, 249].map(|gap| {
+        let mut largest = 0.0_f64;
         let gap_s = f64::from(gap) / 100.0;
         // Interpolation of the velocity by values and slopes at the ends of the gap, v⁗ T⁵/720, and the slopes' own error.
         let interpolation = speed_m_s * swing_rad * (TAU * frequency_hz).powi(4) * gap_s.powi(5) / 720.0;
@@ -251,8 +269,14 @@ fn a_gap_in_a_weave_leaves_what_its_interpolation_missed() {
             println!("{gap_s} s lost: {after:.1e} m, in 130 s {worst:.1e} m");
             assert!(after < 4.0 * interpolation + 1e-4, "{gap_s} s: {after} m, {interpolation} m");
             assert!(worst < after + 2.0 * without, "{gap_s} s: {worst} m, {after} m, {without} m");
+            (largest, growth) = (largest.max(after), growth.max(worst - after));
         }
-    }
+        largest
+    });
+    let [short, second, long] = [0, 2, 4].map(|k| largest[k]);
+    let why = "because the path in between is unknown";
+    let growth = format!("{:.1} mm, without the gap {:.1} mm", 1e3 * growth, 1e3 * without);
+    println!("figure: {short:.1e}, {second:.3}, {long:.1} m, {why}; {growth}");
 }
 
 /// A slew to another place, speed and attitude: from the first interval on the ideal signals are those of a flight that was
@@ -290,7 +314,7 @@ fn a_reposition_makes_no_spike() {
         let (_, errors) = slewed.errors(ErrorSource::Navigation).unwrap().unwrap();
         assert!(errors.velocity_n.norm() < 0.05 && errors.position_n.norm() < 0.05, "{errors:?}");
     }
-    println!("reposition: ideal signals off by {force:.1e} m/s², {rate:.1e} rad/s at the most");
+    println!("figure: {force:.1e} m/s², {rate:.1e} rad/s");
     // Δv and Δθ come from the samples; the force turns within an interval by the order T² a'': (0.01 s · 2 rad/s)² of 10 m/s².
     assert!(force < 4e-3 && rate < 1e-6, "{force:e} {rate:e}");
 }

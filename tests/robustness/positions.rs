@@ -12,6 +12,7 @@ use crate::support::{DEG, options_at, patrol, resting_sample};
 /// closure is attributed to the host.
 #[test]
 fn velocity_that_contradicts_position_is_the_hosts_own() {
+    let (mut flagged, mut worst) = (0, 0.0f64);
     for (position_m_s, velocity_m_s) in [(5.0, 0.0), (0.0, 5.0), (5.0, -5.0)] {
         let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
         let meridian_m = simulator.options().earth().radii((39.9 * DEG).sin()).meridian_m;
@@ -39,7 +40,12 @@ fn velocity_that_contradicts_position_is_the_hosts_own() {
             "{}",
             closure.host_position_n
         );
+        flagged += closure.inconsistent_samples;
+        let [flown, of_host] =
+            [closure.position_n.y / expected, closure.host_position_n.y / closure.position_n.y];
+        worst = worst.max((flown - 1.0).abs()).max((of_host - 1.0).abs());
     }
+    println!("figure: all {flagged}, to {:.2} % (limit 0.2 %)", 100.0 * worst);
 }
 
 /// A log rounded to 1e-7° and 1 cm, or to single precision: with velocities the positions cost only their own rounding,
@@ -55,6 +61,7 @@ fn a_log_of_seven_decimals_and_centimetres() {
         [|angle| f64::from((angle / DEG) as f32) * DEG, |height_m| f64::from(height_m as f32)];
     // Half a step of latitude and longitude: 2^-18 and 2^-17 degrees at 40° and 116°.
     let decimal_m = 0.5e-7 * DEG * 6.4e6 * 2.0_f64.sqrt();
+    let (mut positions, mut velocities) = (Vec::new(), Vec::new());
     let single_m = 0.5_f64.powi(18) * DEG * 6.4e6 * (0.25 + (40.0 * DEG).cos().powi(2)).sqrt();
     for (label, [round, round_height], step_m, velocity, rate_hz) in [
         ("1e-7° and 1 cm with velocities", decimal, decimal_m, true, 100.0),
@@ -87,15 +94,18 @@ fn a_log_of_seven_decimals_and_centimetres() {
             errors.position_n.norm()
         );
         if velocity {
+            positions.push(format!("{:.1e} m", errors.position_n.norm()));
             // The first and the last position are off by half a step each; gravity leans with them.
             assert!(errors.position_n.norm() < 3.0 * step_m, "{}", errors.position_n);
             assert!(off < 9.8 * step_m / 6.4e6 * 300.0, "{off:e}");
         } else {
+            velocities.push(format!("{off:.2} m/s at {rate_hz} Hz"));
             // Weights 11/6, 3, 3/2, 1/3 over the interval on half a step each, at the end and, once, at the start.
             let noise = 6.7 * step_m * rate_hz;
             assert!(off < noise + 0.5 / rate_hz * 6.0, "{off:e} {noise}");
         }
     }
+    println!("figure: {}; {}", positions.join(", "), velocities.join(", "));
 }
 
 /// Exact positions alone: the first velocity is the mean over the first interval. Its error δv lasts no longer than an interval
@@ -121,12 +131,12 @@ fn positions_alone_miss_the_first_velocity() {
     let missed = Vector2::new(mean.dot(&east), mean.dot(&north)) - at(0).v_n.unwrap().xy();
     let (_, errors) = simulator.errors(ErrorSource::Navigation).unwrap().unwrap();
     let off_m = missed.norm() / rate_hz;
-    println!("positions alone, 10 min: {:.1e} m of {off_m:.1e} m", errors.position_n.norm());
     assert!(errors.position_n.norm() < off_m, "{} {off_m:e}", errors.position_n);
     let off_m_s = 1.24e-3 * off_m;
     assert!(errors.velocity_n.norm() < off_m_s, "{} {off_m_s:e}", errors.velocity_n);
     let off = (simulator.navigation().unwrap().unwrap().navigation.v_n - at(30_000).v_n.unwrap()).norm();
     assert!(off < off_m_s + 7e-9 * rate_hz, "{off:e}");
+    println!("figure: {:.1e} m (limit {off_m:.1e} m)", errors.position_n.norm());
 }
 
 /// A log of positions alone loses samples in straight flight. Half a step ε of its grid makes errors of (11/6 + 3 + 3/2 + 1/3) ε/t
@@ -135,6 +145,7 @@ fn positions_alone_miss_the_first_velocity() {
 #[test]
 fn a_gap_in_positions_alone_costs_what_their_noise_does() {
     let half_step_m = 0.5e-7 * DEG * 6.4e6 * 2.0_f64.sqrt();
+    let mut figures = Vec::new();
     for (rate_hz, gap_s) in [(100.0, 1.0), (100.0, 2.5), (50.0, 0.2), (50.0, 1.0), (50.0, 2.5), (1000.0, 2.5)]
     {
         let mut simulator = Simulator::new(&Options::default()).unwrap();
@@ -154,9 +165,10 @@ fn a_gap_in_positions_alone_costs_what_their_noise_does() {
         }
         let intervals = gap_s * rate_hz;
         let bound_m = half_step_m * (3.0 + (6.7 * 6.7 + 2.0 * 6.7) * intervals * intervals / 12.0);
-        println!("{gap_s} s lost in positions alone at {rate_hz} Hz: {worst_m:.1e} m of {bound_m:.1e} m");
         assert!(worst_m < bound_m, "{worst_m} {bound_m}");
+        figures.push(format!("{gap_s} s at {rate_hz} Hz {worst_m:.1} m (limit {bound_m:.0} m)"));
     }
+    println!("figure: {}", figures.join("; "));
 }
 
 /// Positions alone: a leap is refused, whether by 11 m at 100 Hz or by more; a high speed is not, 8 km/s like 5 m/s.
@@ -175,6 +187,7 @@ fn without_velocities_leaps_are_refused_and_speed_is_none() {
         }
         Ok(simulator.truth().unwrap().unwrap().navigation.v_n.x)
     };
+    let (mut least_m, mut least_hz) = (f64::MAX, 0.0);
     for rate_hz in [1.0, 10.0, 100.0] {
         for speed in [0.0, 5.0, 250.0, 8000.0] {
             let found = with_step(speed, rate_hz, 0.0, 0).unwrap();
@@ -186,10 +199,14 @@ fn without_velocities_leaps_are_refused_and_speed_is_none() {
                 for leap_m in [1.1 * slack_m, 20.0 * slack_m, -1.1 * slack_m] {
                     let error = with_step(speed, rate_hz, leap_m, leaps_at).unwrap_err();
                     assert_eq!(error.kind, ErrorKind::Discontinuity, "{error}");
+                    if leap_m.abs() < least_m {
+                        (least_m, least_hz) = (leap_m.abs(), rate_hz);
+                    }
                 }
             }
         }
         // A speed beyond the limit is refused, from the first interval on.
         assert_eq!(with_step(21e3, rate_hz, 0.0, 0).unwrap_err().kind, ErrorKind::Discontinuity);
     }
+    println!("figure: {least_m:.0} m at {least_hz} Hz");
 }

@@ -433,7 +433,7 @@ fn every_field_of_every_struct() {
     sensors(&mut tried);
     #[cfg(not(feature = "identify"))]
     expected.retain(|name| !name.starts_with("sins_identif") && name != "sins_recorded_increment");
-    println!("{} bad values refused", tried.refused);
+    println!("figure: {} values; the sentence and `sins_last_error_info` agree on each", tried.refused);
     // sins_statistics has integers alone: c/ensemble.c and statistics.rs damage it.
     assert!(expected.remove("sins_statistics"));
     // These are written as a line, with any numbers: interface/scene_records.rs.

@@ -100,7 +100,8 @@ fn errors_that_are_fed_back_are_gone() {
         assert!(left[0] < 1e-8 && left[1] < 1e-12 && left[2] < 4e-15, "{left:?}: {options:?}");
         worst = core::array::from_fn(|k| worst[k].max(left[k]));
     }
-    println!("left: {:.1e} m, {:.1e} m/s, {:.1e} rad", worst[0], worst[1], worst[2]);
+    let [m, m_s, rad] = worst;
+    println!("figure: {m:.1e} m, {m_s:.1e} m/s, {rad:.1e} rad (limits 1e-8 m, 1e-12 m/s, 4e-15 rad)");
 }
 
 /// After a correction error data 1 and 2 agree as before, to second order in the errors: a tenth of the errors leaves a hundredth.
@@ -194,6 +195,7 @@ fn errors_at_the_poles_are_removed() {
         }
     }
     assert!(across > 10 && largest > 0.01, "{across} {largest}");
+    println!("figure: {largest:.2} of 1e-8 m and the errors times the rounding of the longitude");
 }
 
 /// Zeros change no bit of what is read or saved. Nor does a rejected correction.
@@ -274,6 +276,7 @@ fn known_sensor_errors_are_compensated() {
         scale_factor: scale,
         ..Default::default()
     };
+    let mut worst = 0.0f64;
     for (frame, is_mounted) in [(Frame::EarthFixed, false), (Frame::Geographic, true)] {
         let options =
             Options { frame, error_model: true, vertical: VerticalMode::Free, ..Default::default() };
@@ -313,10 +316,12 @@ fn known_sensor_errors_are_compensated() {
             // A minute of patrol without errors leaves micrometres; with these it would leave more than 10 m.
             let found = errors(&simulator, source).position_n.norm();
             assert!(found < 1e-4, "{source:?}: {found}");
+            worst = worst.max(found);
         }
         simulator.reset();
         assert_eq!(simulator.compensation(), Compensation::default());
     }
+    println!("figure: {worst:.1e} m (limit 1e-4 m)");
 }
 
 fn some_correction(k: usize) -> Correction {

@@ -115,7 +115,7 @@ fn no_word_decodes_as_a_value_that_it_does_not_have() {
         assert!(illegal_here > 1000 || !is_decimal, "{}: the test has drawn no illegal word", label.name);
         illegal += illegal_here;
     }
-    println!("{} words, {illegal} of them illegal", u64::from(WORDS) * LABELS.len() as u64);
+    println!("figure: {illegal} of {} words illegal", u64::from(WORDS) * LABELS.len() as u64);
 }
 
 /// Every number of every label, from the end of its range to the other; and with each other status.
@@ -147,7 +147,7 @@ fn every_legal_word_decodes_to_its_value() {
             );
         }
     }
-    println!("{count} words");
+    println!("figure: {count} legal ones");
 }
 
 /// By hand: what is wrong, and the sentence that says it.

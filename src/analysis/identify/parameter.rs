@@ -6,8 +6,8 @@ use super::noise::{COEFFICIENTS, Coefficients};
 use super::solve::{Matrix, Vector};
 
 /// Number of parameters: three angles of the mounting, shift and drift of the clock, three biases and nine elements of each triad; then
-/// those of [`super::Also`]: three of the lever arm, nine g-sensitivities, and of each triad three asymmetries and three changes of the biases
-/// with temperature.
+/// those of [`super::Also`]: three of the lever arm, nine g-sensitivities, and of each triad three asymmetries and three changes of the
+/// biases with temperature.
 pub const PARAMETERS: usize = 53;
 
 /// Places of the parameters in a solution.

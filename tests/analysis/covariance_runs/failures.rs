@@ -6,7 +6,7 @@ use sins::sensors::{Axis, Failure, InitialErrorParameters, SensorOutput, StreamK
 use sins::{ErrorParameters, Options, Simulator};
 
 use super::scenes::{Scene, built_in, everything};
-use super::{chi_square_bounds, quantile};
+use super::{Range, quantile};
 use crate::support::{DEG, G, resting_sample};
 
 const RUNS: usize = 2000;
@@ -15,8 +15,9 @@ const PERIOD_S: f64 = 0.5;
 const FAILS_AT: usize = 121;
 const END: usize = 241;
 
-/// The variances of the nine errors over those of the covariance, in units of the interval of 99.9 % for all: within -1 to 1.
-fn compare(output: SensorOutput, failure: Failure) -> [f64; 9] {
+/// The variances of the nine errors over those of the covariance, in units of the interval of `range`: within -1 to 1. They are added to
+/// `range` as they are.
+fn compare(output: SensorOutput, failure: Failure, range: &mut Range) -> [f64; 9] {
     // Errors of the start would hide those of the sensors.
     let setting = ErrorParameters { initial: InitialErrorParameters::default(), ..everything() };
     let samples = (0..=END).map(|k| resting_sample(PERIOD_S * k as f64)).collect();
@@ -35,10 +36,11 @@ fn compare(output: SensorOutput, failure: Failure) -> [f64; 9] {
     }
     let covariance = simulator.covariance().unwrap().unwrap().1.matrix;
     let scatter = ensemble.statistics(sins::ErrorSource::Navigation).unwrap().figures().unwrap().covariance;
-    let (low, high) = chi_square_bounds((RUNS - 1) as f64, quantile(0.001 / 2.0 / 45.0));
+    let Range { low, high, .. } = *range;
     core::array::from_fn(|row| {
         let ratio = scatter[(row, row)] / covariance[(row, row)];
         println!("{output:?} {failure:?} {row}: {ratio:.3} of {low:.3} to {high:.3}");
+        range.add(ratio);
         if ratio < 1.0 { -(1.0 - ratio) / (1.0 - low) } else { (ratio - 1.0) / (high - 1.0) }
     })
 }
@@ -46,6 +48,8 @@ fn compare(output: SensorOutput, failure: Failure) -> [f64; 9] {
 /// After a minute with a dead gyro the tilt is 4e-3 rad, so that the linear equations are right to a percent.
 #[test]
 fn a_failure_changes_the_scatter_as_the_covariance_says() {
+    // The interval of 99.9 % for all.
+    let mut range = Range::new((RUNS - 1) as f64, quantile(0.001 / 2.0 / 45.0));
     for (output, failure) in [
         (SensorOutput::Gyro(Axis::Y), Failure::Dead),
         (SensorOutput::Accelerometer(Axis::X), Failure::Dead),
@@ -53,10 +57,11 @@ fn a_failure_changes_the_scatter_as_the_covariance_says() {
         (SensorOutput::Gyro(Axis::X), Failure::Noise { density: 0.05 * DEG / 60.0 }),
         (SensorOutput::Gyro(Axis::Y), Failure::DropOuts { interval_s: 0.0, probability: 0.25 }),
     ] {
-        for (row, place) in compare(output, failure).into_iter().enumerate() {
+        for (row, place) in compare(output, failure, &mut range).into_iter().enumerate() {
             assert!(place.abs() <= 1.0, "{output:?} {failure:?}, error {row}: {place:.2} of the interval");
         }
     }
+    println!("figure: variances {range}");
 }
 
 /// Rolls at 1 deg/s to and fro about the forward axis, y, of which a quarter is lost. The mean tilt is a quarter of the roll, whatever this
@@ -67,8 +72,9 @@ fn a_mean_beyond_the_linear_equations_is_flagged() {
     const PERIOD_S: f64 = 0.1;
     let output = SensorOutput::Gyro(Axis::Y);
     let drop_outs = Failure::DropOuts { interval_s: 0.0, probability: 0.25 };
-    let mut alone = 0;
-    for (run, back_at) in [(0, 400), (1, 400), (2, 60), (3, 120), (4, 120)] {
+    let (mut alone, mut compared) = (0, 0);
+    let flights = [(0, 400), (1, 400), (2, 60), (3, 120), (4, 120)];
+    for (run, back_at) in flights {
         let key = StreamKey { seed: 7, run };
         let mut simulator = Simulator::new(&Options { covariance: true, key, ..Options::default() }).unwrap();
         let mut is_beyond = false;
@@ -97,12 +103,14 @@ fn a_mean_beyond_the_linear_equations_is_flagged() {
                     is_beyond || tilt >= 0.035,
                     "{run}, {k}: {mean} {tilt}"
                 );
+                compared += 1;
             }
             alone += u32::from(is_beyond && tilt < 0.035);
             assert!(covariance.sigma()[6..].iter().all(|sigma| *sigma < 0.02));
         }
     }
     assert!(alone > 100, "{alone}");
+    println!("figure: each of {compared} samples of {} runs", flights.len());
 }
 
 /// A gyro that loses 2 % of aerobatics: after 200 s the squares of the errors about their mean are thrice those of the covariance, which
@@ -127,6 +135,6 @@ fn the_flag_of_drop_outs_in_turns_is_that_of_every_run() {
         flagged.push(simulator.covariance().unwrap().unwrap().1.outside_validity);
         small += u32::from(error < 0.035);
     }
-    println!("{small} of 12 runs with a small error: {flagged:?}");
     assert!(small > 0 && flagged.iter().all(|flag| *flag), "{small}: {flagged:?}");
+    println!("figure: all {}, also the {small} whose own error is small", flagged.len());
 }

@@ -6,6 +6,7 @@
 mod failures;
 mod scenes;
 
+use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::SMatrix;
@@ -43,6 +44,37 @@ fn chi_square_bounds(n: f64, z: f64) -> (f64, f64) {
     let spread = (2.0 / (9.0 * n)).sqrt();
     let at = |z: f64| (1.0 - 2.0 / (9.0 * n) + z * spread).powi(3);
     (at(-z), at(z))
+}
+
+/// Least and greatest of some figures, and the interval in which they should be.
+#[derive(Clone, Copy)]
+struct Range {
+    least: f64,
+    most: f64,
+    low: f64,
+    high: f64,
+    /// Number of figures that are outside of the interval.
+    outside: usize,
+}
+
+impl Range {
+    /// Of no figure yet, with the interval of chi-square of `n` over n at `z` standard deviations of the normal one.
+    fn new(n: f64, z: f64) -> Self {
+        let (low, high) = chi_square_bounds(n, z);
+        Self { least: f64::MAX, most: f64::MIN, low, high, outside: 0 }
+    }
+
+    fn add(&mut self, figure: f64) {
+        (self.least, self.most) = (self.least.min(figure), self.most.max(figure));
+        self.outside += usize::from(!(self.low..=self.high).contains(&figure));
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { least, most, low, high, .. } = self;
+        write!(f, "{least:.3} to {most:.3} (limits {low:.3} and {high:.3})")
+    }
 }
 
 /// Mean squares of a scene's runs, each over its expectation.
@@ -139,26 +171,25 @@ fn merge(sums: &mut [Statistics], more: &[Statistics]) {
     sums.iter_mut().zip(more).for_each(|(sum, more)| sum.merge(more).unwrap());
 }
 
-/// Number of figures of the scenes that are outside of their intervals of 99.9 %, corrected for their number (Bonferroni).
-fn outside(scenes: &[Scene], runs: u64) -> usize {
+/// The variances of the scenes over those of the covariance, and the normalized squares over nine, against their intervals of 99.9 %,
+/// corrected for their number (Bonferroni).
+fn compare(scenes: &[Scene], runs: u64) -> [Range; 2] {
     let tests = scenes.len() * INSTANTS * 10;
     let z = quantile(0.001 / 2.0 / tests as f64);
-    let (low, high) = chi_square_bounds(runs as f64, z);
-    let (low9, high9) = chi_square_bounds(9.0 * runs as f64, z);
-    let mut outside = 0;
+    let none = [Range::new(runs as f64, z), Range::new(9.0 * runs as f64, z)];
+    let mut all = none;
     for scene in scenes {
         let started = std::time::Instant::now();
         let found = scene.fly(runs);
-        let range = |values: &mut dyn Iterator<Item = f64>| {
-            values.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)))
-        };
-        let (least, most) = range(&mut found.sigmas.iter().flatten().copied());
-        let (least9, most9) = range(&mut found.nees.iter().copied());
+        let mut of_scene = none;
+        for [variances, nees] in [&mut of_scene, &mut all] {
+            found.sigmas.iter().flatten().for_each(|share| variances.add(*share));
+            found.nees.iter().for_each(|share| nees.add(*share));
+        }
+        let [variances, nees] = of_scene;
         println!(
-            "{}: {} runs of {} samples: variances over the covariance's {least:.4} to {most:.4} of {low:.4} to {high:.4}, \
-             NEES/9 {least9:.4} to {most9:.4} of {low9:.4} to {high9:.4}; {:.1} s",
+            "{}: {runs} runs, {} samples: variances over the covariance's {variances}, NEES/9 {nees}, {:.1} s",
             scene.name,
-            runs,
             scene.samples.len(),
             started.elapsed().as_secs_f64()
         );
@@ -167,17 +198,17 @@ fn outside(scenes: &[Scene], runs: u64) -> usize {
                 println!("{k:3} {:.3?} {nees:.3}", sigmas);
             }
         }
-        outside += found.sigmas.iter().flatten().filter(|share| !(low..=high).contains(*share)).count();
-        outside += found.nees.iter().filter(|share| !(low9..=high9).contains(*share)).count();
     }
-    outside
+    all
 }
 
 /// 200 runs, the patrol of an hour; `--features long-tests`: 2000 runs, the patrol of 48 hours.
 #[test]
 fn the_spread_of_many_runs_is_the_covariance() {
     let is_long = cfg!(feature = "long-tests");
-    assert_eq!(outside(&scenes(is_long), if is_long { 2000 } else { 200 }), 0);
+    let [variances, nees] = compare(&scenes(is_long), if is_long { 2000 } else { 200 });
+    assert_eq!(variances.outside + nees.outside, 0);
+    println!("figure: variances {variances}; NEES/9 {nees}");
 }
 
 /// After alignments that take time, whose errors are correlated with the states of the sensors: 200 runs of 20 minutes;
@@ -187,10 +218,13 @@ fn the_spread_after_an_alignment_is_the_covariance() {
     let is_long = cfg!(feature = "long-tests");
     let runs = if is_long { 2000 } else { 200 };
     let mut scenes = aligned_scenes(is_long);
-    assert_eq!(outside(&scenes, runs), 0);
+    let [variances, nees] = compare(&scenes, runs);
+    assert_eq!(variances.outside + nees.outside, 0);
     scenes.truncate(2);
     scenes.iter_mut().for_each(|scene| scene.believed.initial.alignment_s = 0.0);
-    assert!(outside(&scenes, runs) > INSTANTS);
+    let [variances, endless] = compare(&scenes, runs);
+    assert!(variances.outside + endless.outside > INSTANTS);
+    println!("figure: NEES/9 {nees}, with an endless alignment {:.3} to {:.3}", endless.least, endless.most);
 }
 
 /// White noise alone, with a covariance from a spectral density that is 10 % larger: the same test fails.
@@ -209,8 +243,12 @@ fn a_density_that_is_wrong_by_a_tenth_is_found() {
         triad.random_walk *= 1.1f64.sqrt();
     }
     let samples = built_in("patrol", 300.0, 0.5);
-    let right = [Scene::new("white noise", samples.clone(), noise)];
-    assert_eq!(outside(&right, 1500), 0);
-    let wrong = [Scene { believed: more, ..Scene::new("white noise, told wrong", samples, noise) }];
-    assert!(outside(&wrong, 1500) >= INSTANTS, "the normalized squares of all instants are 9 % low");
+    let scene = Scene::new("white noise", samples.clone(), noise);
+    let [variances, right] = compare(&[scene], 1500);
+    assert_eq!(variances.outside + right.outside, 0);
+    let scene = Scene { believed: more, ..Scene::new("white noise, told wrong", samples, noise) };
+    let [variances, wrong] = compare(&[scene], 1500);
+    let outside = variances.outside + wrong.outside;
+    assert!(outside >= INSTANTS, "the normalized squares of all instants are 9 % low");
+    println!("figure: NEES/9 {wrong}; with the right density {:.3} to {:.3}", right.least, right.most);
 }

@@ -238,7 +238,7 @@ fn a_warmer_half_is_checked() {
     let checked = |also: Also| {
         let (found, other) = identify_first_half(&truth, &record, &request(Prior::default(), also)).unwrap();
         let found = check(&truth, &found, other, &CheckRequest { twins: 40, ..Default::default() }).unwrap();
-        let span = found.spans.last().unwrap().clone();
+        let span = *found.spans.last().unwrap();
         println!("{also:?}: {:?}, {:.2} m for {:.2} m", found.agreement, span.real_m, span.predicted_m);
         (found.agreement, span.real_m, span.predicted_m)
     };

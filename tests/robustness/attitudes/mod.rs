@@ -41,6 +41,7 @@ fn pose(rate_hz: f64, count: u32, euler: impl Fn(f64) -> Euler) -> (f64, f64, f6
 /// in any way. The gyros sense the slow turn and the Earth's rate, and the attitude stays right.
 #[test]
 fn pitch_through_90_degrees_slowly_and_at_rest_there() {
+    let (mut largest_rad, mut largest_m) = (0.0_f64, 0.0_f64);
     for sign in [1.0, -1.0] {
         let slowly =
             |time_s: f64| Euler { roll: 0.3, pitch: sign * (89.9 + 0.01 * time_s) * DEG, heading: 1.0 };
@@ -54,6 +55,7 @@ fn pitch_through_90_degrees_slowly_and_at_rest_there() {
             misalignment < 2.0 * 1000f64.sqrt() * f64::EPSILON && position < 1e-8,
             "{misalignment:e} {position:e}"
         );
+        (largest_rad, largest_m) = (largest_rad.max(misalignment), largest_m.max(position));
 
         let at_rest = |time_s: f64| {
             let split = (time_s * 700.0).sin() * 3.0;
@@ -67,7 +69,9 @@ fn pitch_through_90_degrees_slowly_and_at_rest_there() {
             misalignment < 2.0 * 5000f64.sqrt() * f64::EPSILON && position < 1e-8,
             "{misalignment:e} {position:e}"
         );
+        (largest_rad, largest_m) = (largest_rad.max(misalignment), largest_m.max(position));
     }
+    println!("figure: {largest_rad:.1e} rad, {largest_m:.1e} m");
 }
 
 /// An hour of 4 g loops, 180 times through zenith and nadir: the error is the algorithm's, in attitude of the fourth order, in
@@ -101,6 +105,8 @@ fn loops_for_an_hour() {
         let misalignment_rad = coarse.misalignment_rad / 12.0 + rounding.misalignment_rad;
         assert!(fine.misalignment_rad < misalignment_rad, "{worst:?}");
     }
+    let [_, at_50_hz, at_100_hz] = worst;
+    println!("figure: {:.1e} m, {:.1e} m", at_50_hz.position_m, at_100_hz.position_m);
 }
 
 /// Roll angle at `time_s` of a spin-up at `alpha` [rad/s²] to 20 rev/s and back.
@@ -115,6 +121,7 @@ fn spun(alpha: f64, time_s: f64) -> f64 {
 /// From rest to 20 rev/s and back at up to 1e5 °/s²: the gyros sense every degree of the turn.
 #[test]
 fn angular_acceleration_of_1e5_degrees_a_second_squared() {
+    let mut figures = Vec::new();
     for (alpha_deg, rate_hz) in [(1e5, 50.0), (1e5, 100.0), (1e5, 1000.0), (2e4, 50.0)] {
         let euler = |time_s: f64| Euler { roll: spun(alpha_deg * DEG, time_s), pitch: 0.4, heading: 1.0 };
         let mut simulator = Simulator::new(&options_at(rate_hz)).unwrap();
@@ -145,7 +152,9 @@ fn angular_acceleration_of_1e5_degrees_a_second_squared() {
         // The Earth's rate turns about the spinning axes: a cubic misses the third order of the turn in a sample.
         let missed = EARTH_RATE * time_s * (40.0 / rate_hz).powi(3);
         assert!(off < missed + intervals * 8.0 * f64::EPSILON, "{off:e}");
+        figures.push(format!("{off:.1e} rad at {alpha_deg:e} °/s², {rate_hz} Hz"));
     }
+    println!("figure: {}", figures.join("; "));
 }
 
 /// Flies a roll by `angle`: None if flown to the end with every turn sensed, else the sample refused as a discontinuity.
@@ -191,19 +200,18 @@ fn whole_turns_are_right_or_refused() {
     // The cubic's own error, at 170° a sample; lost whole turns would be 6.28.
     let cubic = 1e-2;
     // α T² from 1° to 179°, so that every step from below to beyond half a turn occurs at some time.
+    let growths_deg = 1..180;
     let mut refused = 0;
-    for growth_deg in 1..180 {
+    for growth_deg in growths_deg.clone() {
         let growth = f64::from(growth_deg) * DEG;
         let reported =
             roll_through(400, 100.0, None, cubic, |time_s| 0.5 * growth * (100.0 * time_s).powi(2));
         assert!(reported.is_some(), "{growth_deg}");
         refused += 1;
     }
-    println!(
-        "spin-ups by 1° to 179° a sample: {refused} of 179 flown right up to 170° a sample, then refused"
-    );
     // 20 rev/s sampled at 19, 20 and 21 Hz looks like a slow turn; with rates the spin is detected.
-    for rate_hz in [19.0, 20.0, 21.0] {
+    let rates_hz = [19.0, 20.0, 21.0];
+    for rate_hz in rates_hz {
         let reported = roll_through(5, rate_hz, Some(|_| 40.0 * PI), cubic, |time_s| 40.0 * PI * time_s);
         assert_eq!(reported, Some(1), "{rate_hz}");
     }
@@ -218,11 +226,18 @@ fn whole_turns_are_right_or_refused() {
     let error = simulator.push_sample(&spin(12)).unwrap_err();
     assert_eq!(error.kind, ErrorKind::Discontinuity, "{error}");
     simulator.push_sample(&spin(10)).unwrap();
+    println!(
+        "figure: rejected: {refused} of {} spin-ups; with rates 20 rev/s at {} to {} Hz",
+        growths_deg.len(),
+        rates_hz[0],
+        rates_hz[2]
+    );
 }
 
 /// Increments of the host: nearly half a turn is right, half a turn and more is refused.
 #[test]
 fn increments_of_nearly_half_a_turn() {
+    let mut largest_rad: f64 = 0.0;
     for parts in [1, 2] {
         for short_of in [1e-3, 1e-9] {
             let mut simulator = Simulator::new(&options_at(100.0)).unwrap();
@@ -240,10 +255,10 @@ fn increments_of_nearly_half_a_turn() {
             let q = simulator.navigation().unwrap().unwrap().navigation.q_nb;
             let turned = about(Vector3::new(0.36, -0.48, 0.8), PI - short_of).into_inner();
             let off = rotation_vector(&((start.q_nb * turned).conjugate() * q)).norm();
-            println!(
-                "an increment of pi - {short_of:e} in {parts}: attitude {off:.1e} rad off, the Earth's turn"
-            );
+            println!("an increment of pi - {short_of:e} in {parts}: attitude {off:.1e} rad off");
             assert!(off < 1.1 * EARTH_RATE * 0.01 + 8.0 * f64::EPSILON, "{off:e}");
+            largest_rad = largest_rad.max(off);
         }
     }
+    println!("figure: {largest_rad:.1e} rad, the Earth's rotation in the interval");
 }

@@ -196,9 +196,7 @@ fn any_parameters_are_bounded_or_refused() {
             Some(kind) => panic!("run {run}: {kind:?}"),
         }
     }
-    println!(
-        "{RUNS} random simulators: {flown} flown, {diverged} diverged, {singular} singular, no NaN, no infinity"
-    );
+    println!("figure: {flown} flown, {diverged} diverged, {singular} singular, no NaN, no infinity");
     assert!(flown > RUNS / 10 && diverged > RUNS / 10, "{flown} {diverged}");
 }
 
@@ -207,6 +205,7 @@ fn any_parameters_are_bounded_or_refused() {
 #[test]
 fn correlation_times_from_a_millionth_of_a_step_to_1e12_seconds() {
     let dt = 0.01;
+    let (mut least, mut most, mut sigmas) = (f64::MAX, 0.0_f64, 0.0_f64);
     for time_s in [1e-8, 1e-6, 1e-4, 1e-2, 1.0, 1e12] {
         let mut simulator = Simulator::new(&Options { subsamples: 1, ..options_at(100.0) }).unwrap();
         let set = TriadParameters {
@@ -250,6 +249,10 @@ fn correlation_times_from_a_millionth_of_a_step_to_1e12_seconds() {
         println!(
             "correlation time {time_s:e} s: variance {ratio:.3} of the theory's, {sigma:.3} to be expected"
         );
-        assert!((ratio - 1.0).abs() < 5.0 * sigma, "{ratio}");
+        let off = (ratio - 1.0).abs();
+        assert!(off < 5.0 * sigma, "{ratio}");
+        (least, most, sigmas) = (least.min(off), most.max(off), sigmas.max(off / sigma));
     }
+    let [least, most] = [least, most].map(|off| 100.0 * off);
+    println!("figure: {least:.1} to {most:.1} %, at most {sigmas:.1} standard deviations (limit 5)");
 }

@@ -151,18 +151,19 @@ fn runs_of_an_ensemble_are_the_single_simulators() {
 
 #[test]
 fn whatever_a_host_does_they_are() {
-    let (mut diverged, mut intervals) = (0, 0);
+    let (mut hosts, mut diverged, mut intervals) = (0, 0, 0);
     for seed in 0..HOSTS {
         let mut host = Host::new(seed);
         let calls: Vec<Call> = (0..CALLS).map(|_| host.call()).collect();
         if !calls.iter().any(|call| matches!(call, Call::Start(..) | Call::Imu(..))) {
+            hosts += 1;
             let count = 1 + seed as usize % 4;
             let pair = fly(&host.options, &calls, 7, count, &format!("host {seed}"));
             diverged += pair.diverged.iter().filter(|diverged| **diverged).count();
             intervals += pair.ensemble.intervals();
         }
     }
-    println!("{HOSTS} hosts: {intervals} intervals, {diverged} runs diverged");
+    println!("figure: {hosts} hosts, {intervals} intervals, {diverged} runs diverged");
     assert!(diverged > 10 && intervals > 5 * HOSTS);
 }
 
@@ -202,7 +203,8 @@ fn in_every_scheme_frame_channel_and_signal_with_half_of_all_effects() {
             }
         }
     }
-    assert_eq!(modes.len(), 72);
+    let count = modes.len();
+    assert_eq!(count, 72);
     let mut draws = Draws::new(3);
     let samples: Vec<FlightSample> = samples(120, 0.01).collect();
     for (number, mode) in modes.into_iter().enumerate() {
@@ -230,6 +232,7 @@ fn in_every_scheme_frame_channel_and_signal_with_half_of_all_effects() {
         let pair = fly(&options, &calls, 40, draws.of(&[18, 19]), &format!("{options:?}"));
         assert!(pair.ensemble.intervals() == 119 && pair.ensemble.diverged().next().is_none());
     }
+    println!("figure: {count} modes: to the bit");
 }
 
 fn template() -> Simulator {

@@ -37,8 +37,8 @@ const MOST_STEPS: usize = 100_000;
 /// The same of stamps that do not scatter, if fewer rows are lost than are there.
 const MOST_LOST: f64 = 0.5;
 
-/// A tick of the clock of Windows [s], by which old hosts stamp their rows: a row may be at the second tick behind the one before without one
-/// being lost. Part by which the ticks of a record may be off it.
+/// A tick of the clock of Windows [s], by which old hosts stamp their rows: a row may be at the second tick behind the one before without
+/// one being lost. Part by which the ticks of a record may be off it.
 const TICK_S: f64 = 1.0 / 64.0;
 const OF_TICK: f64 = 0.01;
 

@@ -126,15 +126,16 @@ fn is_whole(path: &[Point], start_s: f64, end_s: f64) -> bool {
 fn a_thermal_stays_within_the_resolution() {
     let folder = folder("thermal");
     let points = thermal(1, 240);
+    let (limits_m, mut largest_m) = ([1.86, 1.0], [0.0_f64; 2]);
     for (file, text) in [("flight.igc", igc(&points)), ("flight.gpx", gpx(&points))] {
         std::fs::write(folder.join(file), text).unwrap();
         let (errors, path) = smoothed(&folder, file, &[]);
         let [horizontal, vertical] = off_thermal(&path);
         println!("{file}: {horizontal:.3} m, {vertical:.3} m\n{errors}");
-        assert!(
-            is_whole(&path, points[0][0], points[240][0]) && horizontal < 1.86 && vertical < 1.0,
-            "{file}: {horizontal} {vertical}"
-        );
+        let is_near = horizontal < limits_m[0] && vertical < limits_m[1];
+        let is_whole = is_whole(&path, points[0][0], points[240][0]);
+        assert!(is_whole && is_near, "{file}: {horizontal} {vertical}");
+        largest_m = [largest_m[0].max(horizontal), largest_m[1].max(vertical)];
         for door in DOORS {
             let (code, _, errors) = run(&folder, &[door, &["--strict", file]].concat());
             assert!(code == 0 && errors.contains("241 "), "{door:?} {file}: {errors}");
@@ -162,6 +163,12 @@ fn a_thermal_stays_within_the_resolution() {
     for name in ["scene", "record", "named", "log"] {
         assert!(records(name) == records("flight"), "{name}");
     }
+    let ([horizontal, vertical], [limit_m, limit_of_height_m]) = (largest_m, limits_m);
+    println!(
+        "figure: {horizontal:.2} m (limit {limit_m} m), heights {vertical:.2} m (limit {limit_of_height_m} m), \
+        through {} commands; what was assumed is said",
+        DOORS.len()
+    );
 }
 
 /// Fixes without a position are left out, missing heights of GNSS follow the pressure altitude, and the keys of the user come first.
@@ -454,6 +461,7 @@ fn broken_records_are_rejected() {
         ),
         ("gpx", whole[..whole.find("</time>").unwrap() + 4].to_owned(), ":5: expected XML: "),
     ];
+    let count = cases.len();
     for (ending, text, expected) in cases {
         let file = format!("bad.{ending}");
         std::fs::write(folder.join(&file), &text).unwrap();
@@ -478,4 +486,5 @@ fn broken_records_are_rejected() {
         let errors = rejected(&folder, &["live", file, "--from", "udp:0", "--rate-hz", "9"]);
         assert_eq!(errors, format!("{file}: is a flight log: expected a scene\n"));
     }
+    println!("figure: {count} rejected with line");
 }

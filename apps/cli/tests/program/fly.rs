@@ -42,6 +42,7 @@ fn the_answer_stands_first() {
     std::fs::write(folder.join("late.toml"), unit.replace("at_s = 700", "at_s = 6500")).unwrap();
     let never = unit.rsplit_once("[[panel]]").unwrap().0;
     std::fs::write(folder.join("never.toml"), never).unwrap();
+    let mut flights = 0;
     for (name, arguments, answer) in [
         (
             "hour",
@@ -72,7 +73,9 @@ fn the_answer_stands_first() {
         let page = read(folder.join("sins_out/report.html"));
         let (_, lead) = page.split_once("<p class=\"lead\">").unwrap();
         assert_eq!(lead.split("</p>").next().unwrap(), first, "{name}");
+        flights += 1;
     }
+    println!("figure: `fly` and the page say the same of {flights} flights");
 }
 
 /// A flight that diverges does not answer as one that reached its end.

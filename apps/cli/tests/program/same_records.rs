@@ -40,8 +40,8 @@ fn host() -> &'static Path {
 /// Number of columns that the host writes; they stand first.
 const OF_HOST: usize = 51;
 
-/// Asserts that the records of the program and of the host, one each `every_s` [s], are the same.
-fn assert_same(name: &str, scene: &str, log: Option<&str>, settings: &[&str], every_s: f64) {
+/// Asserts that the records of the program and of the host, one each `every_s` [s], are the same. Returns their number.
+fn assert_same(name: &str, scene: &str, log: Option<&str>, settings: &[&str], every_s: f64) -> usize {
     let folder = folder(name);
     let every = format!("output.every_s={every_s}");
     let settings = [settings, &["--set", &every]].concat();
@@ -76,32 +76,41 @@ fn assert_same(name: &str, scene: &str, log: Option<&str>, settings: &[&str], ev
             assert_eq!(expected.to_bits(), found.to_bits(), "{name}, {column} at {} s", row[0]);
         }
     }
-    println!("{name}: {} records, the same to the bit", found.len());
+    found.len()
 }
 
 #[test]
 fn the_scenes_are_the_same() {
+    let mut records = Vec::new();
     for (scene, log, every_s) in
         [("drone", None, 0.25), ("fighter", Some("fighter_aerobatics"), 0.5), ("trainer", None, 2.0)]
     {
         let file = project_file(&format!("c_examples/scenes/{scene}.toml"));
         let log = log.map(|log| project_file(&format!("c_examples/flights/{log}.csv")));
-        assert_same(scene, file.to_str().unwrap(), log.as_ref().and_then(|log| log.to_str()), &[], every_s);
+        let log = log.as_ref().and_then(|log| log.to_str());
+        records.push(assert_same(scene, file.to_str().unwrap(), log, &[], every_s));
     }
     let patrol = project_file("c_examples/scenes/patrol.toml");
-    assert_same("patrol", patrol.to_str().unwrap(), None, &["--set", "flight.hours=0.5"], 10.0);
+    let half_an_hour = ["--set", "flight.hours=0.5"];
+    records.push(assert_same("patrol", patrol.to_str().unwrap(), None, &half_an_hour, 10.0));
+    let (flights, records) = (records.len(), records.iter().sum::<usize>());
+    println!("figure: to the bit: {flights} flights of scenes, {records} records");
 }
 
 #[test]
 fn the_logs_are_the_same() {
+    let mut records = Vec::new();
     for (log, preset) in [("airliner_cruise", "ideal"), ("fighter_aerobatics", "tactical")] {
         let file = project_file(&format!("c_examples/flights/{log}.csv"));
         let folder = folder(&format!("scene_{log}"));
         let scene = folder.join("scene.toml");
         let text = format!("[flight]\nfile = '{}'\n[options]\nerror_model = 'rk4'\n", file.display());
         std::fs::write(&scene, text).unwrap();
-        assert_same(log, scene.to_str().unwrap(), file.to_str(), &["--preset", preset], 0.3);
+        let settings = ["--preset", preset];
+        records.push(assert_same(log, scene.to_str().unwrap(), file.to_str(), &settings, 0.3));
     }
+    let (flights, records) = (records.len(), records.iter().sum::<usize>());
+    println!("figure: {flights} of logs, {records} records");
 }
 
 #[test]
@@ -109,14 +118,18 @@ fn the_built_in_scenes_are_the_same() {
     let hours = if cfg!(feature = "long-tests") { 48.0 } else { 0.5 };
     let hours = format!("flight.hours={hours}");
     let settings = ["--set", &hours];
+    let mut records = Vec::new();
     for scene in ["simulation1", "simulation2"] {
-        assert_same(scene, scene, None, &settings, 10.0);
+        records.push(assert_same(scene, scene, None, &settings, 10.0));
         let at_rest = [&settings[..], &["--set", "flight.builtin=rest"]].concat();
-        assert_same(&format!("{scene}_rest"), scene, None, &at_rest, 10.0);
+        records.push(assert_same(&format!("{scene}_rest"), scene, None, &at_rest, 10.0));
     }
     for scene in ["over_the_pole", "aerobatics"] {
-        assert_same(scene, scene, None, &["--set", "options.error_model=rk4", "--preset", "navigation"], 1.0);
+        let settings = ["--set", "options.error_model=rk4", "--preset", "navigation"];
+        records.push(assert_same(scene, scene, None, &settings, 1.0));
     }
+    let (flights, records) = (records.len(), records.iter().sum::<usize>());
+    println!("figure: {flights} built-in, {records} records");
 }
 
 /// The example of a host ends each scene with the errors of the last record: navigation minus truth, and the errors of the error
@@ -124,6 +137,7 @@ fn the_built_in_scenes_are_the_same() {
 #[test]
 fn the_example_host_ends_with_the_same_errors() {
     let host = link("harness", "c_examples/harness.c");
+    let mut flights = 0;
     // The settings let each flight end at the time of a record, because the program writes no other times; or they lower the sample
     // rate.
     for (scene, settings) in [
@@ -138,8 +152,8 @@ fn the_example_host_ends_with_the_same_errors() {
         let file = file.to_str().unwrap();
         done(&folder, &[&["fly", file, "-q", "--name", "run"], &settings[..]].concat());
         let text = done(&folder, &[&["scene", "write", file], &settings[..]].concat());
-        let flights = project_file("c_examples/flights");
-        std::fs::write(folder.join("scene.toml"), text.replace("../flights", flights.to_str().unwrap()))
+        let logs = project_file("c_examples/flights");
+        std::fs::write(folder.join("scene.toml"), text.replace("../flights", logs.to_str().unwrap()))
             .unwrap();
         let output = Command::new(&host).arg("scene.toml").current_dir(&folder).output().unwrap();
         assert!(output.status.success(), "{scene}: {}", String::from_utf8_lossy(&output.stderr));
@@ -162,7 +176,9 @@ fn the_example_host_ends_with_the_same_errors() {
         let expected: Vec<[f64; 2]> = (0..9).map(|k| [last[of_navigation + k], last[of_model + k]]).collect();
         assert_eq!(found, expected, "{scene}");
         assert!(found[0][0] != 0.0, "{scene}");
+        flights += 1;
     }
+    println!("figure: the ends of {flights} by the example of a host");
 }
 
 /// Features that other crates of the program enable in common dependencies change no bit of the library: this build has the same

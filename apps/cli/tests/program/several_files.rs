@@ -51,6 +51,7 @@ fn files_of_ardupilot_are_found_and_fly_through_every_door() {
     std::fs::create_dir(folder.join("scenes")).unwrap();
     let scene = format!("[flight]\nfile = \"../POS.csv\"\n{}", &map[map.find("[log]").unwrap()..]);
     std::fs::write(folder.join("scenes/scene.toml"), scene).unwrap();
+    let mut commands = 0;
     for door in [
         &["scene", "check"][..],
         &["fly", "-q", "--preset", "navigation"],
@@ -63,6 +64,7 @@ fn files_of_ardupilot_are_found_and_fly_through_every_door() {
             let (code, _, errors) = run(&folder, &[door, &["--strict"], log].concat());
             assert!(code == 0 && errors.contains("ATT.csv is interpolated"), "{door:?} {log:?}: {errors}");
         }
+        commands += 1;
     }
     // The attitude is that of the file, also where the heading passes north.
     let smooth = ["log", "POS.csv", "--columns", "map.toml", "--smooth", "-o", "truth.csv"];
@@ -87,6 +89,7 @@ fn files_of_ardupilot_are_found_and_fly_through_every_door() {
         said.contains("so that of a coordinated flight is taken") && !said.contains("interpolated"),
         "{said}"
     );
+    println!("figure: through {commands} commands");
 }
 
 #[test]
