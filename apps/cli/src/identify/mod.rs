@@ -228,7 +228,7 @@ fn sentence(error: &Error, record: &SensorRecord, order: &Order) -> String {
         ("request.shift_s", _) => " (--shift)".to_owned(),
         ("request.axes", _) => " (--axes)".to_owned(),
         ("request.also.temperature", _) => {
-            "; temperature_c is a column of the log of the path, or a key of [flight]".to_owned()
+            "; temperature_c is a column of the log of the path, also by `temperature` of its [log], or a key of [flight]".to_owned()
         }
         (_, value) => value.and_then(unit).unwrap_or_default(),
     };

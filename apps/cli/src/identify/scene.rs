@@ -63,13 +63,13 @@ pub fn is_read_plainly(given: &Given) -> bool {
     *given.scene.log == LogMapping::default() && !is_pipe
 }
 
-/// The keys of \[flight\] with the temperature of the sensors, if what was found needs one that the flight has not: that of the path's
-/// scene, or that at which the biases hold.
+/// The keys of \[flight\] with the temperature of the sensors, if what was found needs one: that of the path's scene, or that at which the
+/// biases hold. A log with a temperature of its own needs none, and refuses one.
 fn of_sensors(given: &Given, found: &Identified) -> String {
     let constant = temperature(found);
     let has_own = || given.sample(0).is_ok_and(|sample| sample.temperature_c.is_some());
     match given.scene.temperature {
-        _ if constant.is_empty() || (is_read_plainly(given) && has_own()) => String::new(),
+        _ if constant.is_empty() || has_own() => String::new(),
         Some(Temperature { at_start_c, change_c_s }) => {
             format!("temperature_c = {at_start_c}\ntemperature_change_c_h = {}\n", change_c_s * 3600.0)
         }

@@ -61,10 +61,10 @@ pub fn head(given: &Given, record: &SensorRecord, found: &Identified) -> [String
 fn section(sheet: &Sheet) -> String {
     let mut text = String::new();
     for line in sheet.fitted() {
-        text += &format!("  {:<16} {}\n", line.name, seen(line));
+        text += &format!("  {:<18} {}\n", line.name, seen(line));
     }
     for noise in &sheet.noises {
-        text += &format!("  {:<16} {}\n", noise.name, of_noise(noise));
+        text += &format!("  {:<18} {}\n", noise.name, of_noise(noise));
     }
     text
 }

@@ -74,7 +74,7 @@ fn what_is_asked_for_beside_stands_in_the_scene() {
         (&["--also", "nonlinearity"][..], "lever-arm, g-sensitivity, asymmetry, temperature"),
         (
             &["--also", "temperature"],
-            "temperature_c is a column of the log of the path, or a key of [flight]",
+            "temperature_c is a column of the log of the path, also by `temperature` of its [log], or a key of [flight]",
         ),
         (&["--also", "lever-arm", "--check"], "--also lever-arm: --check flies from the point of the path"),
         (&["--also", "lever-arm", "--set", "mounting.lever_arm_m=[1,0,0]"], "expected one of both"),
@@ -103,6 +103,21 @@ fn a_change_with_temperature_stands_in_the_scene() {
     done(&folder, &["fly", "imu_sensor.toml", "--quiet", "--set", "flight.hours=0.02", "-o", "again"]);
     let json = done(&folder, &identify(&[&more[..], &["--json", "-o", "b.toml"]].concat()));
     assert!(json.contains("\"bias/temperature y\": {\"value\": 0.00005"), "{json}");
+
+    // A log that has the temperature: the scene does not have it too.
+    let records = read(folder.join("aerobatics.csv"));
+    let mut lines = records.lines().map(|line| line.split(',').take(10).collect::<Vec<_>>().join(","));
+    let names = lines.next().unwrap().replace("truth_", "");
+    let rows = lines.map(|line| {
+        let time_s: f64 = line.split(',').next().unwrap().parse().unwrap();
+        format!("{line},{}\n", 20.0 + time_s * 250.0 / 3600.0)
+    });
+    let log = format!("{names},temperature_c\n{}", rows.collect::<String>());
+    std::fs::write(folder.join("warm.csv"), log).unwrap();
+    done(&folder, &["identify", "warm.csv", "--imu", "imu.csv", "--also", "temperature", "-o", "c.toml"]);
+    let scene = read(folder.join("c.toml"));
+    assert!(scene.contains("file = \"warm.csv\"") && !scene.contains("\ntemperature_c"), "{scene}");
+    done(&folder, &["fly", "c.toml", "--quiet", "-o", "again"]);
 }
 
 const TRUTH: [&str; 5] = ["aerobatics", "--set", "flight.hours=0.08", "--set", "flight.rate_hz=50"];
