@@ -24,6 +24,8 @@ const JUMP: f64 = 1e6;
 const SCATTER: f64 = 0.5;
 /// Scatter that is worth a remark: digits of the stamps are not.
 const REMARKED: f64 = 0.25;
+/// Largest distance of rounded stamps from equal intervals, in those of their steps.
+const OF_ROUNDED: f64 = 2.0;
 
 /// A column.
 pub struct Series {
@@ -197,11 +199,12 @@ fn remarks(stamps: &Stamps, is_spaced: bool) -> Vec<String> {
 }
 
 /// Times of the rows of the pieces, and whether rows are equally spaced: where stamps scatter by half an interval and more, and where they
-/// scatter less and are within an interval of such times.
+/// scatter less and are within an interval of such times, or, as rounded ones, within about their steps' scatter of them.
 fn times(stamps: &Stamps, mut times_s: Vec<f64>) -> (Vec<f64>, bool) {
     let interval_s = stamps.interval_s;
     let mut is_spaced = false;
-    if stamps.jitter > EVEN && !stamps.is_uneven {
+    let near_s = if stamps.jitter > EVEN { interval_s } else { OF_ROUNDED * stamps.jitter * interval_s };
+    if !stamps.is_uneven {
         let places: Vec<f64> = stamps.places().collect();
         // The mean over a piece of the time at which it would begin to count.
         let begin_s = |piece: &Range<usize>| {
@@ -215,7 +218,7 @@ fn times(stamps: &Stamps, mut times_s: Vec<f64>) -> (Vec<f64>, bool) {
             stamps.pieces.iter().map(|piece| if is_one { whole_s } else { begin_s(piece) }).collect();
         for (piece, begin_s) in stamps.pieces.iter().zip(begins_s) {
             let spaced = |row: usize| begin_s + places[row] * interval_s;
-            let is_near = |row: usize| (times_s[row] - spaced(row)).abs() < interval_s;
+            let is_near = |row: usize| (times_s[row] - spaced(row)).abs() < near_s;
             if stamps.jitter > SCATTER || piece.clone().all(is_near) {
                 piece.clone().for_each(|row| times_s[row] = spaced(row));
                 is_spaced = true;

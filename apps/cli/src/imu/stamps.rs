@@ -23,8 +23,13 @@ const LATE: f64 = 0.6;
 /// Rows of mean steps.
 pub const MEANS: usize = 30;
 
-/// Stamps whose steps are whole numbers of intervals to this part of one do not scatter: each long step of them is a gap.
+/// Stamps whose steps are whole numbers of intervals to this part of one do not scatter: each long step of them is a gap. Steps of stamps
+/// in whole milliseconds may be off by one, where that is not more than a part of an interval.
 pub const EVEN: f64 = 0.1;
+const DIGIT_S: f64 = 1e-3;
+/// Scatter of stamps that are not rounded, as a part of an interval.
+const EXACT: f64 = 1e-4;
+const MOST_DIGIT: f64 = 0.25;
 /// Longest step that is compared with whole numbers of intervals, which are known less well than a long gap.
 const LONGEST_EVEN: f64 = 100.0;
 
@@ -136,7 +141,7 @@ fn read_gaps(times_s: &[f64]) -> Stamps {
     if usual_s > SHORTEST * mean_s {
         let found = found(times_s, &whole, usual_s);
         if is_even(times_s, found.interval_s) {
-            return found;
+            return if found.jitter > EXACT { by_line(times_s, found) } else { found };
         }
         if found.gaps as f64 <= MOST_GAPS * times_s.len() as f64 {
             return scattered(times_s, &whole, found);
@@ -204,9 +209,13 @@ fn scattered(times_s: &[f64], whole: &Range<usize>, by_step: Stamps) -> Stamps {
             best = by_means;
         }
     }
-    // The first and the last stamp scatter too: the interval is that of the line nearest to all.
-    let interval_s = slope(places(times_s.len(), &best.lost_before).zip(times_s.iter().copied()));
-    Stamps { interval_s, ..best }
+    by_line(times_s, best)
+}
+
+/// The first and the last stamp scatter too: the interval is that of the line nearest to all.
+fn by_line(times_s: &[f64], stamps: Stamps) -> Stamps {
+    let interval_s = slope(places(times_s.len(), &stamps.lost_before).zip(times_s.iter().copied()));
+    Stamps { interval_s, ..stamps }
 }
 
 /// The numbers of the intervals at whose ends `rows` rows are.
@@ -263,10 +272,14 @@ fn found(times_s: &[f64], rows: &Range<usize>, begin_s: f64) -> Stamps {
 
 /// Whether the steps are whole numbers of intervals, and most of them one.
 fn is_even(times_s: &[f64], interval_s: f64) -> bool {
+    let digit = DIGIT_S / interval_s;
+    let in_digits =
+        || times_s.iter().all(|time_s| (time_s / DIGIT_S - (time_s / DIGIT_S).round()).abs() < 1e-3);
+    let most = if (EVEN..=MOST_DIGIT).contains(&digit) && in_digits() { 1.01 * digit } else { EVEN };
     let is_whole = |step: f64| {
         let intervals = step / interval_s;
         let off = (intervals - intervals.round()).abs();
-        intervals > LONGEST_EVEN || (intervals.round() >= 1.0 && off < EVEN)
+        intervals > LONGEST_EVEN || (intervals.round() >= 1.0 && off < most)
     };
     let rows = times_s.len() as f64;
     let long = || steps(times_s).map(|step| step / interval_s).filter(|step| *step > LONG);
@@ -431,6 +444,21 @@ pub mod tests {
             let found = stamps(|_| false, |k| -((k % batch) as f64));
             assert_eq!(found.pieces.len(), 1, "{batch}: {found:?}");
             assert!((found.interval_s / 0.01 - 1.0).abs() < 1e-9, "{batch}: {}", found.interval_s);
+        }
+    }
+
+    /// Of rows at 120 to 250 Hz with stamps in whole milliseconds each one that is lost is missed, also where some are near to each other.
+    #[test]
+    fn whole_milliseconds_do_not_hide_lost_rows() {
+        for rate_hz in [120.0, 160.0, 208.0, 250.0] {
+            for part in [0.002, 0.02, 0.1] {
+                let is_lost = |k: usize| k > 0 && k < 19_999 && random(k) < part;
+                let at = |k: usize| (k as f64 / rate_hz * 1e3).floor() / 1e3;
+                let found = read(&(0..20_000).filter(|k| !is_lost(*k)).map(at).collect::<Vec<f64>>());
+                let lost = (0..20_000).filter(|k| is_lost(*k)).count();
+                assert_eq!(found.lost, lost, "{rate_hz} {part}: {}", found.gaps);
+                assert!((found.interval_s * rate_hz - 1.0).abs() < 2e-7, "{rate_hz}: {}", found.interval_s);
+            }
         }
     }
 
