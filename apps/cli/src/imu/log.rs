@@ -10,7 +10,7 @@ use sins_allan::FEWEST_SAMPLES;
 
 use super::quantity::Sensor;
 use super::rows::{Read as Column, Rows, Source, keep};
-use super::stamps::{self, EVEN, Stamps};
+use super::stamps::{self, EVEN, EXACT, Stamps};
 use super::uneven::{between, lengths};
 use crate::failure::Failure;
 use crate::given::open_table;
@@ -204,7 +204,7 @@ fn times(stamps: &Stamps, mut times_s: Vec<f64>) -> (Vec<f64>, bool) {
     let interval_s = stamps.interval_s;
     let mut is_spaced = false;
     let near_s = if stamps.jitter > EVEN { interval_s } else { OF_ROUNDED * stamps.jitter * interval_s };
-    if !stamps.is_uneven {
+    if !stamps.is_uneven && stamps.jitter > EXACT {
         let places: Vec<f64> = stamps.places().collect();
         // The mean over a piece of the time at which it would begin to count.
         let begin_s = |piece: &Range<usize>| {

@@ -28,7 +28,7 @@ pub const MEANS: usize = 30;
 pub const EVEN: f64 = 0.1;
 const DIGIT_S: f64 = 1e-3;
 /// Scatter of stamps that are not rounded, as a part of an interval.
-const EXACT: f64 = 1e-4;
+pub const EXACT: f64 = 1e-4;
 const MOST_DIGIT: f64 = 0.25;
 /// Longest step that is compared with whole numbers of intervals, which are known less well than a long gap.
 const LONGEST_EVEN: f64 = 100.0;
