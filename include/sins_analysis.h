@@ -285,7 +285,10 @@ typedef enum sins_identify_flags {
     SINS_IDENTIFY_G_SENSITIVITY = 8,
     /** Also finds the scale factor asymmetry of each sensor. */
     SINS_IDENTIFY_ASYMMETRY = 16,
-    /** Also finds the change of each bias with the temperature that the samples of the path have. */
+    /**
+     * Also finds the change of each bias with temperature. The samples of the path have the temperature, linear between those that carry
+     * temperature_c; a path without any is SINS_ERROR_INVALID_ARGUMENT.
+     */
     SINS_IDENTIFY_TEMPERATURE = 32
 } sins_identify_flags;
 

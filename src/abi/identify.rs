@@ -50,7 +50,8 @@ pub const SINS_IDENTIFY_LEVER_ARM: sins_identify_flags = 4;
 pub const SINS_IDENTIFY_G_SENSITIVITY: sins_identify_flags = 8;
 /// Also finds the scale factor asymmetry of each sensor.
 pub const SINS_IDENTIFY_ASYMMETRY: sins_identify_flags = 16;
-/// Also finds the change of each bias with the temperature that the samples of the path have.
+/// Also finds the change of each bias with temperature. The samples of the path have the temperature, linear between those that carry
+/// temperature_c; a path without any is SINS_ERROR_INVALID_ARGUMENT.
 pub const SINS_IDENTIFY_TEMPERATURE: sins_identify_flags = 32;
 
 /// What is known of sensors before their record. All zero is nothing: the widest prior, clock and axes are found.

@@ -65,10 +65,7 @@ impl IdealPath {
         let (mut path, mut temperatures) = (Self::default(), Vec::new());
         let samples = samples.map(|sample| {
             let sample = sample?;
-            if let Some(temperature_c) = sample.temperature_c {
-                room_for_one_more(&mut temperatures)?;
-                temperatures.push((sample.time_s, temperature_c));
-            }
+            add_temperature(&mut temperatures, &sample)?;
             Ok(sample)
         });
         fly_looking(&mut simulator, samples, |_, simulator| {
@@ -118,11 +115,7 @@ impl IdealPath {
 
     /// Adds the temperature of a sample, if it has one; its time is later than that of the sample before.
     pub(super) fn push_temperature(&mut self, sample: &FlightSample) -> Result<(), Error> {
-        if let Some(temperature_c) = sample.temperature_c {
-            room_for_one_more(&mut self.temperatures)?;
-            self.temperatures.push((sample.time_s, temperature_c));
-        }
-        Ok(())
+        add_temperature(&mut self.temperatures, sample)
     }
 
     /// Temperature at `time_s` [°C], linear between the samples that have one, and beyond them that of the nearest; `None`: none has.
@@ -197,6 +190,14 @@ impl IdealPath {
         let length_s = end_s - start_s;
         Some(((to - from) / length_s, (rate_to - rate_from) / length_s))
     }
+}
+
+fn add_temperature(to: &mut Vec<(f64, f64)>, sample: &FlightSample) -> Result<(), Error> {
+    if let Some(temperature_c) = sample.temperature_c {
+        room_for_one_more(to)?;
+        to.push((sample.time_s, temperature_c));
+    }
+    Ok(())
 }
 
 #[cfg(test)]
