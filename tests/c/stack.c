@@ -498,6 +498,6 @@ int main(void)
 #endif
     SINS_FUNCTIONS(COUNT_SUCCESS)
     CHECK(succeeded == all);
-    printf("figure: %zu KB (`%s`); %zu KB (`%s`)\n", (most + 1023) / 1024, name_most, (most_solve + 1023) / 1024, name_solve);
+    printf("stack: %zu KB (`%s`); %zu KB (`%s`)\n", (most + 1023) / 1024, name_most, (most_solve + 1023) / 1024, name_solve);
     return 0;
 }
