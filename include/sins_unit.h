@@ -464,7 +464,8 @@ typedef enum sins_unit_reasons {
     SINS_UNIT_REASON_TURNS_NEEDED = 128,
     /**
      * The time of a gyrocompass is over, and the standard deviation of its heading is above heading_limit_rad: the sensors are too poor
-     * to find north here. The alignment goes on.
+     * to find north here. The alignment goes on. In SINS_UNIT_STATE_NAVIGATION: the simulator has started with
+     * SINS_NAVIGATION_NORTH_UNKNOWN, and no unit has aligned it. Only rates, forces, roll and pitch are valid.
      */
     SINS_UNIT_REASON_NORTH_UNKNOWN = 256
 } sins_unit_reasons;

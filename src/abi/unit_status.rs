@@ -53,7 +53,8 @@ pub const SINS_UNIT_REASON_BATTERY_EMPTY: sins_unit_reasons = 64;
 /// In flight: in_flight_alignment_s is over, and the heading is not accurate enough yet. Turns or changes of speed show it.
 pub const SINS_UNIT_REASON_TURNS_NEEDED: sins_unit_reasons = 128;
 /// The time of a gyrocompass is over, and the standard deviation of its heading is above heading_limit_rad: the sensors are too poor
-/// to find north here. The alignment goes on.
+/// to find north here. The alignment goes on. In SINS_UNIT_STATE_NAVIGATION: the simulator has started with
+/// SINS_NAVIGATION_NORTH_UNKNOWN, and no unit has aligned it. Only rates, forces, roll and pitch are valid.
 pub const SINS_UNIT_REASON_NORTH_UNKNOWN: sins_unit_reasons = 256;
 
 /// Outputs of a unit that are valid.

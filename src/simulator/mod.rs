@@ -266,6 +266,13 @@ impl Simulator {
         }
     }
 
+    /// Notes that the heading of the solution is known, whatever the alignment at the start found.
+    pub(crate) fn find_north(&mut self) {
+        if let Mode::Flying(chain) = &mut self.mode {
+            chain.north_unknown = false;
+        }
+    }
+
     /// Removes what `correction` gives for the key of the random numbers and for the errors of the solution.
     #[cold]
     pub fn correct_each(

@@ -63,6 +63,11 @@ impl Simulator {
         }
     }
 
+    /// Whether the alignment at the start could not find north, and no unit has found it since.
+    pub(crate) fn lacks_north(&self) -> bool {
+        matches!(&self.mode, Mode::Flying(chain) if chain.north_unknown)
+    }
+
     /// Increments on which the INS navigated in update `update` of the last interval, measured and compensated, and the length of the
     /// update [s]. [`Self::push_imu`] takes them. `None` if there is no such update, and while navigating on increments.
     pub fn measured_update(&self, update: usize) -> Option<(&[Increment], f64)> {

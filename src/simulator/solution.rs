@@ -19,7 +19,7 @@ pub struct Solution {
     pub near_pole: bool,
     /// Nothing aids the vertical channel; its error grows e-fold every 569 s.
     pub vertical_unaided: bool,
-    /// The alignment at the start could not find north: the heading may be anything.
+    /// The alignment at the start could not find north, and no unit has found it since: the heading may be anything.
     pub north_unknown: bool,
     /// The displacement of the truth since the previous sample contradicts its velocities.
     pub inconsistent: bool,

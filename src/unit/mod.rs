@@ -177,10 +177,13 @@ impl Unit {
     fn note(&mut self, imu: &ImuInterval, simulator: &Simulator) {
         let dt = imu.interval_s;
         let begun_s = imu.time_s - dt;
+        let has_jumped = simulator.is_first_interval();
+        if self.shows_solution() && (has_jumped || self.time_s.is_none()) {
+            self.reasons.north_unknown = simulator.lacks_north();
+        }
         match self.time_s {
             None => self.look_at(simulator),
             Some(time_s) => {
-                let has_jumped = simulator.is_first_interval();
                 if has_jumped {
                     self.switched_on_e = None;
                     self.forget_entries();

@@ -45,7 +45,7 @@ impl Unit {
             no_position: lacks_position,
             position_disagrees: self.refused.is_some(),
             turns_needed: self.needs_turns(),
-            north_unknown: self.lacks_north(),
+            north_unknown: self.reasons.north_unknown || self.lacks_north(),
             ..self.reasons
         };
         let waits = lacks_position && elapsed_s >= whole_s
@@ -92,6 +92,7 @@ impl Unit {
             State::FineAlignment => {
                 Validity { attitude: self.shows_attitude(), heading: self.shows_heading(), ..rates }
             }
+            _ if self.reasons.north_unknown => attitude,
             State::Ready | State::Realignment => {
                 Validity { heading: true, position: true, velocity: self.aligns_in_flight(), ..attitude }
             }

@@ -132,15 +132,19 @@ impl Unit {
 
     /// Begins what is in progress anew: an alignment that must not know of what was before, or an erection.
     pub(super) fn start_anew(&mut self) {
+        self.realigned &= !self.reasons.north_unknown;
         let state = match self.state {
             State::Ready | State::Realignment if self.realigned => State::Realignment,
-            State::CoarseAlignment | State::FineAlignment | State::Ready => State::CoarseAlignment,
+            State::CoarseAlignment | State::FineAlignment | State::Ready | State::Realignment => {
+                State::CoarseAlignment
+            }
             State::Erection | State::Attitude => State::Erection,
             _ => return,
         };
         self.alignment = AlignmentProgress::default();
         self.heading_entered = false;
-        (self.reasons.latitude_disagrees, self.reasons.latitude_too_high) = (false, false);
+        let Reasons { latitude_disagrees, latitude_too_high, north_unknown, .. } = &mut self.reasons;
+        (*latitude_disagrees, *latitude_too_high, *north_unknown) = (false, false, false);
         if self.state != state {
             self.enter(state);
         }
@@ -164,11 +168,12 @@ impl Unit {
         Ok(())
     }
 
-    /// ALIGN after a flight: parked, a realignment; in motion the navigation is lost.
+    /// ALIGN after a flight: parked, a realignment, which needs a heading; in motion the navigation is lost.
     fn leave_navigation(&mut self, parameters: &UnitParameters, simulator: &Simulator) -> Result<(), Error> {
         let is_parked = Self::is_parked(parameters, simulator)?;
-        self.begin(if is_parked { State::Realignment } else { State::CoarseAlignment }, simulator);
-        self.realigned = is_parked;
+        let realigns = is_parked && !self.reasons.north_unknown;
+        self.begin(if realigns { State::Realignment } else { State::CoarseAlignment }, simulator);
+        self.realigned = realigns;
         self.reasons.motion = !is_parked && self.kind != AlignmentKind::InFlight;
         Ok(())
     }
@@ -176,7 +181,8 @@ impl Unit {
     /// Stores position and heading, if they are valid.
     fn power_down(&mut self, simulator: &Simulator) -> Result<(), Error> {
         let navigated = self.state == State::Navigation;
-        if let (true, Some(solution)) = (self.shows_solution(), simulator.navigation()?) {
+        let is_valid = self.shows_solution() && !self.reasons.north_unknown;
+        if let (true, Some(solution)) = (is_valid, simulator.navigation()?) {
             let navigation = &solution.navigation;
             self.stored = Some(StoredAlignment {
                 latitude_rad: navigation.place.latitude_rad,
@@ -338,9 +344,11 @@ pub(super) fn remove_errors(simulator: &mut Simulator, errors: &StateErrors) -> 
     }
 }
 
-/// Removes `errors` from the solution of the simulator.
+/// Removes `errors` from the solution of the simulator, whose heading is known then.
 pub(super) fn correct(simulator: &mut Simulator, errors: &NavigationErrors) -> Result<(), Error> {
     let NavigationErrors { position_n, velocity_n, misalignment_n, .. } = *errors;
     let errors = StateErrors { position_n, velocity_n, misalignment_n };
-    simulator.correct(&Correction { errors, ..Correction::default() })
+    simulator.correct(&Correction { errors, ..Correction::default() })?;
+    simulator.find_north();
+    Ok(())
 }

@@ -1,8 +1,8 @@
 //! A gyrocompass ends when its heading is as accurate as the limit: sensors that are too poor to find north show no heading.
 
 use nalgebra::Vector3;
-use sins::sensors::{Grade, TriadParameters};
-use sins::unit::{AlignmentKind, Mode, State, Status, StoredAlignment, UnitParameters};
+use sins::sensors::{Alignment, Grade, InitialErrorParameters, TriadParameters};
+use sins::unit::{AlignmentKind, Mode, State, Status, StoredAlignment, Unit, UnitParameters, Validity};
 
 use crate::aircraft::{Aircraft, Motion, Receiver};
 use crate::support::{DEG, DEG_PER_HOUR, EARTH_RATE, G};
@@ -96,6 +96,88 @@ fn other_kinds_do_as_before() {
         let status = aircraft.unit.status();
         assert!(status.state == State::Navigation && status.validity.heading, "{kind:?}: {status:?}");
     }
+}
+
+/// A unit at NAV over a simulator whose gyros hid north at its start.
+fn started(bias_deg_h: f64, latitude_deg: f64) -> Aircraft {
+    let gyro = TriadParameters { bias: Vector3::x() * (bias_deg_h * DEG_PER_HOUR), ..Default::default() };
+    let mut aircraft = Aircraft::new(latitude_deg, 1, 10.0, &(gyro, TriadParameters::default()));
+    let initial = InitialErrorParameters {
+        alignment: Alignment::LevelAndGyrocompass,
+        ..InitialErrorParameters::default()
+    };
+    aircraft.simulator.set_initial_errors(&initial).unwrap();
+    aircraft.unit = Unit::new(&UnitParameters::default(), Mode::Navigate).unwrap();
+    aircraft.stand(1.0);
+    aircraft
+}
+
+fn is_without_north(aircraft: &Aircraft) -> bool {
+    let status = aircraft.unit.status();
+    let is_known = !status.reasons.north_unknown;
+    assert_eq!(aircraft.simulator.navigation().unwrap().unwrap().north_unknown, !is_known, "{status:?}");
+    let (heading, position, velocity) = (is_known, is_known, is_known);
+    assert_eq!(status.validity, Validity { rates: true, attitude: true, heading, position, velocity });
+    assert_eq!(aircraft.navigation().validity, status.validity);
+    assert_eq!(status.state, State::Navigation);
+    !is_known
+}
+
+/// A simulator that starts without north gives a unit at NAV neither heading nor position, until it starts anew with better gyros.
+#[test]
+fn a_start_without_north_is_attitude_alone() {
+    let mut hidden = 0;
+    for bias_deg_h in [0.01, 3.0, 12.0, 17.0, 60.0] {
+        for latitude_deg in [0.0, 60.0, -75.0] {
+            let mut aircraft = started(bias_deg_h, latitude_deg);
+            let is_hidden = bias_deg_h * DEG_PER_HOUR > EARTH_RATE * (latitude_deg * DEG).cos();
+            hidden += u32::from(is_hidden);
+            assert_eq!(is_without_north(&aircraft), is_hidden, "{bias_deg_h} at {latitude_deg}");
+            aircraft.go(Motion::Drive { acceleration: 2.0, to: 50.0 }, 60.0);
+            assert_eq!(is_without_north(&aircraft), is_hidden, "{bias_deg_h} at {latitude_deg}");
+            aircraft.simulator.reset();
+            aircraft.stand(1.0);
+            assert_eq!(is_without_north(&aircraft), is_hidden, "{bias_deg_h} at {latitude_deg}");
+            aircraft.simulator.set_gyro(&TriadParameters::default()).unwrap();
+            aircraft.simulator.reset();
+            aircraft.stand(1.0);
+            assert!(!is_without_north(&aircraft), "{bias_deg_h} at {latitude_deg}");
+        }
+    }
+    assert_eq!(hidden, 8);
+}
+
+/// What was not valid is not stored, and not kept in a realignment. When the unit has aligned, north is known, also to the simulator.
+#[test]
+fn a_start_without_north_ends_with_an_alignment() {
+    let mut aircraft = started(60.0, 45.0);
+    assert!(is_without_north(&aircraft));
+    let mut off = aircraft.clone();
+    off.unit.select(Mode::Off);
+    let status = off.stand(20.0);
+    assert!(status.state == State::Off && status.stored.is_none(), "{status:?}");
+
+    let (latitude_rad, longitude_rad) = (aircraft.place().latitude_rad, aircraft.place().longitude_rad);
+    aircraft.set_alignment(AlignmentKind::Fast);
+    aircraft.unit.select(Mode::Align);
+    let status = aircraft.stand(1.0);
+    assert_eq!((status.state, status.reasons.north_unknown), (State::CoarseAlignment, false), "{status:?}");
+    aircraft.until(Motion::Rest, State::Ready, 200.0);
+    aircraft.unit.select(Mode::Navigate);
+    aircraft.stand(1.0);
+    assert!(!is_without_north(&aircraft));
+    let shown = aircraft.navigation();
+    assert!((shown.euler.heading - aircraft.heading()).abs() < 1e-3, "{shown:?}");
+    let off = [shown.place.latitude_rad - latitude_rad, shown.place.longitude_rad - longitude_rad];
+    assert!(off.iter().all(|angle| angle.abs() < 1e-5), "{shown:?}");
+
+    // Parked with a heading: a realignment. A start anew in it loses the heading again.
+    aircraft.unit.select(Mode::Align);
+    assert_eq!(aircraft.stand(1.0).state, State::Realignment);
+    aircraft.simulator.reset();
+    let status = aircraft.stand(1.0);
+    assert_eq!((status.state, status.reasons.north_unknown), (State::CoarseAlignment, false), "{status:?}");
+    assert!(!status.validity.heading);
 }
 
 /// The standard deviation is that of the closed form of each effect, to 15 %: with a limit above it the unit navigates, below it not.

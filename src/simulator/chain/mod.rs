@@ -40,7 +40,7 @@ pub(super) struct Chain {
     pub signals: Signals,
     parts: Range<usize>,
     pub(super) last: LastInterval,
-    /// The alignment at the start could not find north.
+    /// The alignment at the start could not find north, and no unit has found it since.
     pub(super) north_unknown: bool,
     /// The sensor block, if it is not at the reference point.
     pub(super) block: Option<Block>,
