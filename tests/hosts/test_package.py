@@ -377,6 +377,10 @@ class Copies(unittest.TestCase):
 class Interrupts(unittest.TestCase):
     """Ctrl-C is answered while the library computes. Each call would take more than 20 s; 5 s is for a busy machine."""
 
+    def setUp(self):
+        # Python sets none if the process was started with the signal ignored, as shells do in the background.
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
     def interrupted(self, call):
         def press():
             pressed.append(time.monotonic())
