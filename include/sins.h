@@ -1045,9 +1045,9 @@ typedef enum sins_navigation_flags {
     /**
      * The alignment at the start could not find north, so any heading error is possible. Either the accelerometers show no
      * force, or the error of the horizontal gyro rates is at least as large as the north component of the Earth rate. (If it is
-     * smaller, the heading error is below 90 degrees.) The flag stays until the INS starts again, or a unit has aligned it. Note:
-     * a real INS does not know this error. It can be sure that it has not found north only if its horizontal gyro rate is more
-     * than twice the north component of the Earth rate.
+     * smaller, the heading error is below 90 degrees.) The flag stays until the INS starts again, or a sins_unit corrects the
+     * solution. Note: a real INS does not know this error. It can be sure that it has not found north only if its horizontal
+     * gyro rate is more than twice the north component of the Earth rate.
      */
     SINS_NAVIGATION_NORTH_UNKNOWN = 8
 } sins_navigation_flags;

@@ -163,7 +163,7 @@ flags!(
         battery_empty,
         /// In flight: the heading is not accurate enough yet; turns or changes of speed show it.
         turns_needed,
-        /// The sensors do not show north as accurately as heading_limit_rad asks: the alignment goes on; or it started without north.
+        /// The sensors do not show north as accurately as heading_limit_rad asks, or showed none when the simulator started.
         north_unknown,
     }
 );

@@ -98,7 +98,7 @@ fn other_kinds_do_as_before() {
     }
 }
 
-/// A unit at NAV over a simulator whose gyros hid north at its start.
+/// A unit at NAV, whose simulator has looked for north with this bias of a horizontal gyro.
 fn started(bias_deg_h: f64, latitude_deg: f64) -> Aircraft {
     let gyro = TriadParameters { bias: Vector3::x() * (bias_deg_h * DEG_PER_HOUR), ..Default::default() };
     let mut aircraft = Aircraft::new(latitude_deg, 1, 10.0, &(gyro, TriadParameters::default()));
@@ -167,6 +167,7 @@ fn a_start_without_north_ends_with_an_alignment() {
     aircraft.stand(1.0);
     assert!(!is_without_north(&aircraft));
     let shown = aircraft.navigation();
+    // 60 °/h turn by 3e-4 rad in each of the last seconds.
     assert!((shown.euler.heading - aircraft.heading()).abs() < 1e-3, "{shown:?}");
     let off = [shown.place.latitude_rad - latitude_rad, shown.place.longitude_rad - longitude_rad];
     assert!(off.iter().all(|angle| angle.abs() < 1e-5), "{shown:?}");
